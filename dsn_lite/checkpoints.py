@@ -1,0 +1,62 @@
+"""What a training needs to go on where it stopped: weights, Adam's moments and the clock, and its history."""
+
+import json
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+import torch
+from torch import Tensor, nn
+
+from .runs import beside, load_tensors, save_tensors
+
+FILE, HISTORY = "checkpoint.safetensors", "history.jsonl"
+MOMENTS = ("step", "exp_avg", "exp_avg_sq")
+
+
+def save_checkpoint(
+    run: Path, space: nn.Module, best: dict[str, Tensor], optimizer: torch.optim.Adam, clock: dict[str, int | float]
+) -> None:
+    """Weights, the best weights, Adam's moments and the clock in one file, so that they always belong together."""
+    run.mkdir(parents=True, exist_ok=True)
+    tensors = {f"now.{name}": value for name, value in space.state_dict().items()}
+    tensors |= {f"best.{name}": value for name, value in best.items()}
+    for i, state in enumerate(optimizer.state.values()):
+        tensors |= {f"adam.{i}.{name}": value for name, value in state.items()}
+    tensors |= {f"at.{name}": torch.tensor(value, dtype=torch.float64) for name, value in clock.items()}
+    save_tensors(tensors, run / FILE)
+
+
+def load_checkpoint(
+    run: Path, space: nn.Module, optimizer: torch.optim.Adam
+) -> tuple[dict[str, Tensor], dict[str, float]]:
+    """Puts weights and moments back and returns the best weights and the clock.
+
+    Raises FileNotFoundError or ValueError in one sentence: no checkpoint, a damaged one, one of another configuration.
+    """
+    groups: dict[str, dict[str, Tensor]] = {"now": {}, "best": {}, "adam": {}, "at": {}}
+    for name, value in load_tensors(run / FILE, run).items():
+        group, rest = name.split(".", 1)
+        groups[group][rest] = value
+    expected = {name: value.shape for name, value in space.state_dict().items()}
+    if {name: value.shape for name, value in groups["now"].items()} != expected:
+        raise ValueError(
+            f"train: the checkpoint in {run} must fit this Config, it has another k or other widths; "
+            "resume with the Config it began with"
+        )
+    space.load_state_dict(groups["now"])
+    for i, parameter in enumerate(space.parameters()):
+        state = {name: groups["adam"][f"{i}.{name}"] for name in MOMENTS}
+        optimizer.state[parameter] = {n: v if n == "step" else v.to(parameter.device) for n, v in state.items()}
+    return groups["best"], {name: value.item() for name, value in groups["at"].items()}
+
+
+def save_history(run: Path, records: Iterable[dict[str, Any]]) -> None:
+    """One JSON object a line."""
+    lines = "".join(json.dumps(record) + "\n" for record in records)
+    beside(run / HISTORY, lambda path: path.write_text(lines, encoding="utf-8"))
+
+
+def load_history(run: Path) -> list[dict[str, Any]]:
+    """The lines that `save_history` wrote."""
+    return [json.loads(line) for line in (run / HISTORY).read_text(encoding="utf-8").splitlines()]

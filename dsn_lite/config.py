@@ -1,0 +1,78 @@
+"""What a training is told, and the network that follows from it."""
+
+from dataclasses import dataclass, fields
+from typing import Any
+
+import torch
+
+from .data import Frame, Shapes
+from .networks import DictionaryPredictor, Encoder, reset
+from .space import DeformSyncNet
+
+
+@dataclass(frozen=True)
+class Config:
+    """What a training is told. The paper's values stand in the comments."""
+
+    k: int = 32  # columns of the dictionary; paper: 64 and 512
+    seconds: float = 120.0  # budget of time on this machine
+    steps: int | None = None  # budget of steps instead: the same result again, on any machine of this kind
+    batch: int = 8  # shapes a step, each a source and a target; paper: 16 or 32 pairs
+    learning_rate: float = 4e-3  # paper's code: 5e-4 and 1e-3
+    symmetry: float = 0.0  # weight of L_R; paper: 1
+    mirror: str = "x"  # axis across which shapes are symmetric
+    features: tuple[int, ...] = (32, 64, 128)  # widths of the point features of E and F; paper: 64-64-64-128-1024
+    head: tuple[int, ...] = (128, 64)  # widths of F's head; paper: 512-256-128
+    columns: str = "rms"  # unit root mean square, or "unit" length as in the paper
+    seed: int = 0
+    device: str = "cpu"
+
+    def __post_init__(self) -> None:
+        for name in ("k", "batch", "learning_rate"):
+            self._positive(name, getattr(self, name))
+        self._positive("seconds" if self.steps is None else "steps", self.seconds if self.steps is None else self.steps)
+        if self.batch < 2:
+            raise ValueError(
+                f"Config: batch must be at least 2, since a batch is paired within itself, got {self.batch}"
+            )
+        if self.columns not in ("rms", "unit"):
+            raise ValueError(
+                f'Config: columns must be "rms" or "unit", got {self.columns!r}; keep "rms" unless you compare'
+            )
+        if len(self.features) < 2 or not self.head:
+            raise ValueError(
+                f"Config: features needs at least two widths and head one, got {self.features} and {self.head}; "
+                "keep the defaults"
+            )
+
+    def _positive(self, name: str, value: Any) -> None:
+        if not value > 0:
+            raise ValueError(f"Config: {name} must be more than 0, got {value}; leave it out for the default")
+
+    def check(self, shapes: Shapes) -> None:
+        """Raises ValueError where these shapes cannot be trained on with this configuration."""
+        N, n = shapes.points.shape[:2]
+        if self.k > 3 * n:
+            raise ValueError(f"train: k must be at most 3n = {3 * n} for shapes of {n} points, got {self.k}; lower k")
+        if N < 8:
+            raise ValueError(
+                f"train: at least 8 shapes are needed to train and to hold some out, got {N}; bring more shapes"
+            )
+
+        if self.device.startswith("cuda") and not torch.cuda.is_available():
+            raise ValueError(
+                f'train: device must be there, got {self.device!r} and no GPU that torch can use; use "cpu"'
+            )
+
+    @classmethod
+    def from_json(cls, values: dict[str, Any]) -> "Config":
+        """The Config that `asdict` wrote; lists become tuples again."""
+        known = {field.name for field in fields(cls)}
+        return cls(**{name: tuple(v) if isinstance(v, list) else v for name, v in values.items() if name in known})
+
+
+def network(config: Config, frame: Frame | None = None) -> DeformSyncNet:
+    """An untrained DeformSyncNet of this configuration."""
+    encoder = Encoder(config.k, config.features, (config.features[-2],))
+    predictor = DictionaryPredictor(config.k, config.features[:1], config.features[1:], config.head, config.columns)
+    return reset(DeformSyncNet(encoder, predictor, frame), config.seed)

@@ -1,0 +1,97 @@
+"""The numbers of the tables: how well a space fits, closes parallelograms and transfers, beside doing nothing.
+
+All Chamfer values are in squared units of the file (see chamfer.py). `evaluate` gathers them for hold-out shapes.
+"""
+
+from dataclasses import asdict, dataclass
+from typing import Any
+
+import torch
+from jaxtyping import Float
+from torch import Tensor
+
+from .chamfer import chamfer
+from .data import Shapes, triplets, true_deformation, true_transfer
+from .files import as_shapes
+from .space import ActionSpace, DoNothing
+from .types import Points
+
+
+def floor(shapes: Shapes, again: Shapes) -> float:
+    """The sampling floor: mean Ch between two independent samplings of the same shapes. No fit gets below."""
+    if len(shapes) != len(again):
+        raise ValueError(
+            f"floor: both samplings must be of the same shapes, got {len(shapes)} and {len(again)}; resample"
+        )
+    return chamfer(shapes.points, again.points).mean().item()
+
+
+def rms(u: Points) -> float:
+    """Root mean square length of offsets, over points and batch, in the unit of the points."""
+    return u.square().sum(-1).mean().sqrt().item()
+
+
+def mean_square(u: Points) -> Float[Tensor, ""]:
+    """Mean squared length of offsets."""
+    return u.square().sum(-1).mean()
+
+
+@dataclass(frozen=True)
+class Evaluation:
+    """Hold-out results of one space. `floor` and what needs the true answer are None where the file does not tell."""
+
+    pairs: int
+    fitting_cd: float
+    do_nothing_cd: float
+    floor: float | None
+    exact_cd: float | None  # what the true deformation scores: samples of x placed on y are not area-weighted on y
+    identity: float
+    parallelogram_cd: float
+    share_moved: float  # rms of z (+) xy - z over rms of x (+) xy - x
+    transfer_error: float | None  # squared distance to the true transfer, as a share of leaving z alone
+
+    def __str__(self) -> str:
+        lines = []
+        for name, value in asdict(self).items():
+            shown = "unknown" if value is None else f"{value:.4g}"
+            against = f"  = {value / self.floor:.2f} x floor" if name.endswith("_cd") and self.floor else ""
+            lines.append(f"{name:>17}  {shown}{against}")
+        return "\n".join(lines)
+
+
+@torch.no_grad()
+def evaluate(space: ActionSpace, shapes: Any, *, again: Any = None, pairs: int = 200, seed: int = 0) -> Evaluation:
+    """Measures a space on shapes it was not trained on; `again` is a second sampling of them, for the floor.
+
+    Both are collections or plain arrays (N, n, 3). Raises ValueError where there are fewer than three shapes.
+    """
+    shapes = as_shapes(shapes).like(space)
+    x, y, z = triplets(shapes, pairs, seed)
+    deformed, moved = space.deform(x.points, y.points), space.transfer(x.points, y.points, z.points)
+    known = shapes.truth_is_known
+    return Evaluation(
+        pairs=pairs,
+        fitting_cd=chamfer(deformed, y.points).mean().item(),
+        do_nothing_cd=chamfer(x.points, y.points).mean().item(),
+        floor=None if again is None else floor(shapes, as_shapes(again).like(space)),
+        exact_cd=chamfer(true_deformation(x, y), y.points).mean().item() if known else None,
+        identity=rms(space.deform(x.points, x.points) - x.points),
+        parallelogram_cd=chamfer(moved, space.transfer(x.points, z.points, y.points)).mean().item(),
+        share_moved=rms(moved - z.points) / max(rms(deformed - x.points), 1e-12),
+        transfer_error=_transfer_error(space, shapes, pairs, seed) if known else None,
+    )
+
+
+def _transfer_error(space: ActionSpace, shapes: Shapes, pairs: int, seed: int) -> float | None:
+    try:
+        return transfer_error(space, *triplets(shapes, pairs, seed, with_truth=True))
+    except ValueError:  # among few shapes no true transfer may stay inside the ranges
+        return None
+
+
+@torch.no_grad()
+def transfer_error(space: ActionSpace, x: Shapes, y: Shapes, z: Shapes) -> float:
+    """Mean squared distance of z (+) xy to the true transfer of the same samples, as a share of leaving z alone."""
+    truth = true_transfer(x, y, z)
+    wrong = mean_square(space.transfer(x.points, y.points, z.points) - truth)
+    return (wrong / mean_square(DoNothing().act(z.points, z.points.new_zeros(1)) - truth)).item()

@@ -1,0 +1,78 @@
+"""PointNet-style networks: E reads a whole cloud into a code, F writes k offset fields over its points.
+
+Neither has batch norm or dropout: with either, E(x) - E(x) would not be 0 while training. Source: Section 3.3 of the
+paper; widths are smaller than the authors' (64-64-64-128-1024 and 512-256-128) so that two cores suffice.
+"""
+
+from collections.abc import Sequence
+from itertools import pairwise
+
+import torch
+from jaxtyping import Float
+from torch import Tensor, nn
+
+from .dictionary import column_scales
+from .types import OtherPoints, Points, Vector
+
+
+def perceptron(widths: Sequence[int]) -> nn.Sequential:
+    """Linear layers with LeakyReLU between them, none after the last."""
+    layers: list[nn.Module] = []
+    for before, after in pairwise(widths):
+        layers += [nn.Linear(before, after), nn.LeakyReLU(0.2)]
+    return nn.Sequential(*layers[:-1])
+
+
+class Encoder(nn.Module):
+    """E: one code a cloud, blind to the order of its points and to repeated points."""
+
+    def __init__(self, k: int, features: Sequence[int] = (64, 128, 256), head: Sequence[int] = (128,)):
+        super().__init__()
+        self.features = perceptron((3, *features))
+        self.head = perceptron((features[-1], *head, k))
+
+    def forward(self, x: Points) -> Vector:
+        """E(x)."""
+        return self.head(self.features(x).amax(-2))
+
+
+class DictionaryPredictor(nn.Module):
+    """F: a dictionary A_x whose rows follow the points and whose columns have unit length ("rms" or "unit")."""
+
+    def __init__(
+        self,
+        k: int,
+        local: Sequence[int] = (64, 64),
+        features: Sequence[int] = (128, 256),
+        head: Sequence[int] = (256, 128),
+        columns: str = "rms",
+    ):
+        super().__init__()
+        self.k, self.columns = k, columns
+        self.local = perceptron((3, *local))
+        self.features = perceptron((local[-1], *features))
+        self.from_local = nn.Linear(local[-1], head[0])
+        self.from_global = nn.Linear(features[-1], head[0], bias=False)
+        self.head = nn.Sequential(nn.LeakyReLU(0.2), perceptron((*head, 3 * k)))
+
+    def forward(self, x: Points, at: OtherPoints | None = None) -> Float[Tensor, "*#b _ 3 k"]:
+        """F(x) at the points of x, or at other points of the same shape with x's global feature and column scales."""
+        here = self.local(x)
+        whole = self.features(here).amax(-2, keepdim=True)
+        A = self._fields(here, whole)
+        scales = column_scales(A, self.columns)
+        return A / scales if at is None else self._fields(self.local(at), whole) / scales
+
+    def _fields(self, local: Tensor, whole: Tensor) -> Tensor:
+        # W [g; p] = W_g g + W_p p: the global feature g meets W once a cloud, not once a point
+        return self.head(self.from_local(local) + self.from_global(whole)).unflatten(-1, (3, self.k))
+
+
+def reset(module: nn.Module, seed: int) -> nn.Module:
+    """Fresh random weights drawn from a seed, leaving torch's global generator as it was."""
+    with torch.random.fork_rng(devices=[]):
+        torch.manual_seed(seed)
+        for layer in module.modules():
+            if isinstance(layer, nn.Linear):
+                layer.reset_parameters()
+    return module

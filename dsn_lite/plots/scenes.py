@@ -1,0 +1,111 @@
+"""Figures of shapes: in a row, source beside target, and the fields that move them."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+import plotly.graph_objects as go
+
+from .inputs import array, cloud_of, clouds_of, faces_of, labels_of, titles_of
+from .look import BLUE, GREEN, GREY, VERMILLION
+from .row import Row
+from .traces import cloud, draw, drawn_points, scene
+
+
+def shapes(
+    points: Any, *, labels: Any = None, titles: Any = None, part_names: Any = None, faces: Any = None
+) -> go.Figure:
+    """One cloud (n, 3), or several in a row: (m, n, 3) or a list of clouds of any sizes; tensors or arrays.
+
+    labels (n,) or one array a cloud colour points by part, and part_names make a legend of them. With faces (f, 3), for
+    all or one array a shape, meshes are drawn. Of more than 4096 points 4096 are drawn. Raises ValueError where points
+    are not finite clouds, or where labels, titles or faces do not fit them.
+    """
+    clouds = clouds_of(points, "shapes")
+    row, marks = Row.of(clouds), labels_of(labels, clouds, "shapes")
+    grids = faces_of(faces, clouds, "shapes")
+    names = titles_of(titles, len(clouds), "shapes")
+    traces = [draw(row, i, c, marks[i], grids[i], names=part_names) for i, c in enumerate(clouds)]
+    said = f"{len(clouds)} shape{'s' * (len(clouds) > 1)} in a row, at one scale" + (
+        f": {', '.join(names)}." if names else "."
+    )
+    return scene(row, traces, names, said, part_names if labels is not None else None)
+
+
+def compare(
+    source: Any,
+    target: Any,
+    deformed: Any,
+    *,
+    labels: Any = None,
+    target_labels: Any = None,
+    faces: Any = None,
+    titles: Any = ("source", "target", "deformed, target behind"),
+) -> go.Figure:
+    """Source, target and deformed source side by side, the target once more as a faint ghost behind the deformed.
+
+    labels (n,) are those of the source, which the deformed keeps; faces (f, 3) those of both. The target is drawn as
+    points. Raises ValueError where points are not finite clouds.
+    """
+    clouds = [cloud_of(each, "compare") for each in (source, target, deformed)]
+    row, (mark, behind) = Row.of(clouds), labels_of([labels, target_labels], clouds[:2], "compare")
+    (grid,) = faces_of(faces, clouds[:1], "compare")
+    traces = [
+        draw(row, 0, clouds[0], mark, grid, colour=BLUE),
+        draw(row, 1, clouds[1], behind, None, colour=GREEN),
+        draw(row, 2, clouds[1], None, None, colour=GREY, ghost=True),
+        draw(row, 2, clouds[2], mark, grid, colour=VERMILLION),
+    ]
+    names = titles_of(titles, 3, "compare")
+    return scene(row, traces, names, "A source shape, a target, and the source deformed towards the target.")
+
+
+def offsets(x: Any, u: Any, *, title: str = "", colour: str = VERMILLION) -> go.Figure:
+    """The field u (n, 3) on the points x (n, 3): a line from each point to x + u, with a dot where it ends.
+
+    Raises ValueError where x and u are not finite and of one size.
+    """
+    points, field = cloud_of(x, "offsets"), cloud_of(u, "offsets")
+    if points.shape != field.shape:
+        raise ValueError(
+            f"offsets: u must have one row for each point of x, got {field.shape} for {points.shape}; "
+            "take one column of a dictionary, A[..., j]"
+        )
+    row, kept = Row.of([np.concatenate([points, points + field])]), drawn_points(len(points))
+    start, end = points[kept], (points + field)[kept]
+    gap = np.full_like(start, np.nan)
+    x, y, z = row.place(np.stack([start, end, gap], 1).reshape(-1, 3), 0)
+    line = {"color": colour, "width": 3}
+    traces = [cloud(row, 0, points, colour=GREY, ghost=True)]
+    traces += [go.Scatter3d(x=x, y=y, z=z, mode="lines", line=line, hoverinfo="skip", showlegend=False)]
+    traces += [cloud(row, 0, points + field, colour=colour, scale=0.6)]
+    rms = float(np.sqrt((field**2).sum(-1).mean()))
+    said = f"An offset field on {len(points)} points, {rms:.2g} long on average (rms)."
+    return scene(row, traces, [title] if title else [], said)
+
+
+def modes(
+    x: Any, A: Any, columns: Sequence[int] = (0, 1, 2, 3), amount: float = 0.1, *, labels: Any = None
+) -> go.Figure:
+    """x + amount A_j for some columns j of a dictionary A (n, 3, k), in a row, x itself faint behind each.
+
+    Raises ValueError where A does not fit x or has no such column.
+    """
+    points, fields = cloud_of(x, "modes"), array(A)
+    if fields.ndim != 3 or fields.shape[:2] != points.shape:
+        raise ValueError(
+            f"modes: A must be (n, 3, k) for the {len(points)} points of x, got {fields.shape}; use space.dictionary(x)"
+        )
+    if not columns or not set(columns) <= set(range(fields.shape[-1])):
+        raise ValueError(
+            f"modes: columns must lie in 0 ... {fields.shape[-1] - 1}, got {tuple(columns)}; "
+            f"A has k = {fields.shape[-1]}"
+        )
+    moved = [points + amount * fields[..., j] for j in columns]
+    row, marks = Row.of([points, *moved], len(moved)), labels_of(labels, moved, "modes")
+    traces = [cloud(row, i, points, colour=GREY, ghost=True) for i in range(len(moved))]
+    traces += [cloud(row, i, each, marks[i], colour=VERMILLION) for i, each in enumerate(moved)]
+    said = (
+        f"A shape moved by {amount:+g} along columns {', '.join(map(str, columns))} of its dictionary, one at a time."
+    )
+    return scene(row, traces, [f"{amount:+g} column {j}" for j in columns], said)

@@ -1,0 +1,122 @@
+"""Run folders: config.json, model.safetensors, probe.safetensors, history.jsonl and, while training, a checkpoint.
+
+A run tests itself: the probe holds x, y and d(x -> y), and `load_run` computes it again and refuses a mismatch.
+Files are written beside and then renamed, so a machine that stops leaves the old file or the new one.
+"""
+
+import json
+from collections.abc import Callable
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+import torch
+from jaxtyping import Float
+from safetensors import SafetensorError
+from safetensors.torch import load_file, save_file
+from torch import Tensor
+
+from .config import Config, network
+from .data import Frame
+from .space import DeformSyncNet
+
+PROBE_TOLERANCE = 1e-4  # sums of float32 differ in their last digits between machines
+
+
+def save_run(space: DeformSyncNet, config: Config, run: str | Path, probe: Float[Tensor, "2 n 3"]) -> None:
+    """Writes config, weights and the probe d(x -> y) of two shapes x, y into the folder `run`."""
+    run, (x, y) = Path(run), probe.float().cpu()
+    run.mkdir(parents=True, exist_ok=True)
+    space = space.cpu()
+    with torch.no_grad():
+        save_tensors({"x": x, "y": y, "deformed": space.deform(x, y)}, run / "probe.safetensors")
+    save_tensors(space.state_dict(), run / "model.safetensors")
+    about = {"config": asdict(config), "frame": asdict(space.frame)}
+    beside(run / "config.json", lambda path: path.write_text(json.dumps(about, indent=2) + "\n", encoding="utf-8"))
+    space.to(config.device)
+
+
+def load_run(run: str | Path, device: str = "cpu") -> DeformSyncNet:
+    """The space of a run folder, in eval mode, after its probe was computed again.
+
+    Raises FileNotFoundError or ValueError in one sentence: a file missing or truncated, weights of another k or of
+    other widths, a probe that no longer comes out.
+    """
+    run = Path(run)
+    config, frame = _read_config(run)
+    space = network(config, frame)
+    _load_weights(space, load_tensors(run / "model.safetensors", run), config, run)
+    _check_probe(space, load_tensors(run / "probe.safetensors", run), run)
+    return space.to(device).eval()
+
+
+def _check_probe(space: DeformSyncNet, probe: dict[str, Tensor], run: Path) -> None:
+    if set(probe) != {"x", "y", "deformed"}:
+        raise ValueError(f"load_run: {run}: probe.safetensors must hold x, y and deformed, got {', '.join(probe)}")
+    with torch.no_grad():
+        off = (space.deform(probe["x"], probe["y"]) - probe["deformed"]).abs().max().item()
+    if not off <= PROBE_TOLERANCE:
+        raise ValueError(
+            f"load_run: {run} must give its probe again within {PROBE_TOLERANCE:g}, it is off by {off:.2g}; "
+            "weights or probe were changed after training: take the run from its source again"
+        )
+
+
+def save_tensors(tensors: dict[str, Tensor], path: Path) -> None:
+    """Writes tensors beside `path`, then renames."""
+    whole = {name: tensor.detach().cpu().contiguous() for name, tensor in tensors.items()}
+    beside(path, lambda part: save_file(whole, part))
+
+
+def load_tensors(path: Path, run: Path) -> dict[str, Tensor]:
+    """The tensors of one file of a run."""
+    if not path.is_file():
+        raise FileNotFoundError(f"load_run: {run} must hold {path.name}, it does not; is it a run folder?")
+    try:
+        return load_file(path)
+    except (SafetensorError, OSError) as trouble:
+        raise ValueError(f"load_run: {path} must be a whole safetensors file ({trouble}); copy the run again") from None
+
+
+def beside(path: Path, write: Callable[[Path], Any]) -> None:
+    """Calls `write` on a neighbouring path, then renames it to `path`."""
+    part = path.with_name(path.name + ".part")
+    try:
+        write(part)
+        part.replace(path)
+    finally:
+        part.unlink(missing_ok=True)
+
+
+def _read_config(run: Path) -> tuple[Config, Frame]:
+    path = run / "config.json"
+    if not path.is_file():
+        raise FileNotFoundError(f"load_run: {run} must hold config.json, it does not; is it a run folder?")
+    try:
+        about = json.loads(path.read_text(encoding="utf-8"))
+        return Config.from_json(about["config"]), Frame(**about["frame"] | _tuples(about["frame"]))
+    except (ValueError, KeyError, TypeError, AttributeError) as trouble:
+        raise ValueError(f"load_run: {path} must be the config of a run ({trouble!r}); copy the run again") from None
+
+
+def _load_weights(space: DeformSyncNet, weights: dict[str, Tensor], config: Config, run: Path) -> None:
+    expected = {name: tuple(value.shape) for name, value in space.state_dict().items()}
+    found = {name: tuple(value.shape) for name, value in weights.items()}
+    if expected == found:
+        space.load_state_dict(weights)
+        return
+    last = "encode.head.2.weight"
+    if found.get(last, (config.k,))[0] != config.k:
+        raise ValueError(
+            f"load_run: {run}: model.safetensors has k = {found[last][0]}, config.json says {config.k}; "
+            "files of two runs are mixed"
+        )
+    other = next(name for name in sorted(expected | found) if expected.get(name) != found.get(name))
+    raise ValueError(
+        f"load_run: {run}: model.safetensors must fit config.json, {other} is {found.get(other)} instead of "
+        f"{expected.get(other)}; files of two runs are mixed"
+    )
+
+
+def _tuples(values: dict[str, Any]) -> dict[str, tuple]:
+    return {name: tuple(value) for name, value in values.items() if isinstance(value, list)}

@@ -1,0 +1,164 @@
+"""Sample files: what is saved is loaded, and what is no sample file is refused in a sentence."""
+
+from dataclasses import fields
+
+import numpy as np
+import pytest
+import torch
+from worlds import randn, shapes_of
+
+from dsn_lite.data import Shapes
+from dsn_lite.files import as_shapes, load_shapes, save_shapes
+
+both = pytest.mark.parametrize("sampling", ["fresh", "shared"])
+
+
+def same(one, other):
+    """Assert that two collections hold the same, bit for bit."""
+    for f in fields(Shapes):
+        a, b = getattr(one, f.name), getattr(other, f.name)
+        assert torch.equal(a, b) if isinstance(a, torch.Tensor) else a == b, f.name
+
+
+@both
+def test_what_is_saved_is_loaded(sampling, tmp_path):
+    shapes = shapes_of("table/shelf", 4, 32, sampling=sampling)
+    save_shapes(shapes, tmp_path / "some tables.npz")
+    same(load_shapes(tmp_path / "some tables.npz"), shapes)
+
+
+def test_points_are_all_a_file_needs(tmp_path):
+    points = randn(0, 4, 5, 3, dtype=torch.float32)
+    np.savez(tmp_path / "plain.npz", points=points.numpy())
+    same(load_shapes(tmp_path / "plain.npz"), Shapes(points=points))
+    save_shapes(points.numpy(), tmp_path / "saved.npz")
+    same(load_shapes(tmp_path / "saved.npz"), Shapes(points=points))
+
+
+def test_a_crash_while_saving_leaves_the_old_file_and_nothing_beside_it(tmp_path, monkeypatch):
+    path, shapes = tmp_path / "shapes.npz", shapes_of("box/one", 4, 32)
+    save_shapes(shapes, path)
+
+    def crash(file, **arrays):
+        file.write(b"half a fi")
+        raise OSError("disk full")
+
+    monkeypatch.setattr(np, "savez", crash)
+    with pytest.raises(OSError, match=r"disk full"):
+        save_shapes(shapes_of("box/one", 5, 32), path)
+    same(load_shapes(path), shapes)
+    assert [file.name for file in tmp_path.iterdir()] == ["shapes.npz"]
+
+
+def stored(tmp_path, **arrays):
+    path = tmp_path / "shapes.npz"
+    np.savez(path, **arrays)
+    return path
+
+
+def test_a_file_that_is_not_there(tmp_path):
+    with pytest.raises(FileNotFoundError, match=r"load_shapes: .*none\.npz: there is no such file; make one with"):
+        load_shapes(tmp_path / "none.npz")
+
+
+@pytest.mark.parametrize("share", [0.0, 0.001, 0.5, 0.99])
+def test_a_truncated_file(share, tmp_path):
+    path = tmp_path / "shapes.npz"
+    save_shapes(shapes_of("box/one", 4, 64), path)
+    whole = path.read_bytes()
+    path.write_bytes(whole[: int(share * len(whole))])
+    with pytest.raises(
+        ValueError, match=r"load_shapes: .*: must be a whole \.npz sample file, got \(.*; write it again"
+    ):
+        load_shapes(path)
+
+
+def test_a_damaged_file(tmp_path):
+    path = tmp_path / "shapes.npz"
+    np.savez_compressed(path, points=randn(0, 4, 64, 3).numpy())
+    whole = bytearray(path.read_bytes())
+    for i in range(200, 400):
+        whole[i] ^= 255
+    path.write_bytes(whole)
+    with pytest.raises(ValueError, match=r"must be a whole \.npz sample file"):
+        load_shapes(path)
+
+
+@pytest.mark.parametrize("content", [b"v 0 0 0\nf 1 2 3\n", b"\x93NUMPY", b"PK\x05\x06"])
+def test_a_file_of_another_kind(content, tmp_path):
+    path = tmp_path / "shapes.npz"
+    path.write_bytes(content)
+    with pytest.raises(ValueError, match=r"must be a whole \.npz sample file"):
+        load_shapes(path)
+
+
+def test_a_bare_array_is_another_kind(tmp_path):
+    np.save(tmp_path / "array.npy", np.zeros((4, 5, 3)))
+    with pytest.raises(ValueError, match=r"must be a whole \.npz sample file"):
+        load_shapes(tmp_path / "array.npy")
+
+
+def test_a_file_without_points(tmp_path):
+    with pytest.raises(ValueError, match=r"must hold an array named points \(N, n, 3\), it holds none"):
+        load_shapes(stored(tmp_path, clouds=np.zeros((4, 5, 3))))
+
+
+def test_a_file_of_clouds_of_mixed_sizes(tmp_path):
+    mixed = np.array([np.zeros((5, 3)), np.zeros((6, 3))], dtype=object)
+    with pytest.raises(ValueError, match=r"all clouds must have the same n, got mixed sizes; resample them to one n"):
+        load_shapes(stored(tmp_path, points=mixed))
+
+
+def test_a_file_whose_about_is_not_json(tmp_path):
+    with pytest.raises(ValueError, match=r"about must be JSON, got 'a table'"):
+        load_shapes(stored(tmp_path, points=np.zeros((4, 5, 3)), about="a table"))
+
+
+@pytest.mark.parametrize(
+    ("points", "words"),
+    [
+        (np.zeros((4, 5)), r"points must be \(N, n, 3\) with N, n > 0, got \(4, 5\); stack the clouds"),
+        (np.zeros((4, 3, 5)), r"points must be \(N, n, 3\) with N, n > 0, got \(4, 3, 5\)"),
+        (np.zeros((0, 5, 3)), r"points must be \(N, n, 3\) with N, n > 0, got \(0, 5, 3\)"),
+        (np.zeros((4, 1, 3)), "a shape needs at least 2 points, got 1; sample the surfaces more densely"),
+        (np.full((4, 5, 3), np.nan), "points must be finite, shape 0 holds NaN or infinity; clean or drop it"),
+        (np.where(np.arange(60).reshape(4, 5, 3) == 50, np.inf, 0), "points must be finite, shape 3 holds NaN"),
+    ],
+)
+def test_points_that_are_no_collection(points, words, tmp_path):
+    with pytest.raises(ValueError, match=rf"as_shapes: {words}"):
+        as_shapes(points)
+    with pytest.raises(ValueError, match=rf"load_shapes: .*shapes\.npz: {words}"):
+        load_shapes(stored(tmp_path, points=points))
+
+
+def test_a_list_of_clouds_of_mixed_sizes():
+    with pytest.raises(ValueError, match=r"as_shapes: all clouds must have the same n, got mixed sizes"):
+        as_shapes([np.zeros((5, 3)), np.zeros((6, 3))])
+
+
+@pytest.mark.parametrize(
+    ("name", "value"),
+    [
+        ("labels", np.zeros((4, 6), np.int16)),
+        ("labels", np.zeros(4, np.int16)),
+        ("rest", np.zeros((5, 4, 3))),
+        ("boxes", np.zeros((3, 2, 15))),
+        ("parameters", np.zeros((5, 2))),
+    ],
+)
+def test_truth_of_other_shapes(name, value, tmp_path):
+    with pytest.raises(ValueError, match=rf"{name} must go with 4 shapes of 5 points, got "):
+        load_shapes(stored(tmp_path, points=np.zeros((4, 5, 3)), **{name: value}))
+
+
+def test_labels_of_parts_that_have_no_box(tmp_path):
+    truth = {"labels": np.full((4, 5), 2), "boxes": np.zeros((4, 2, 15))}
+    with pytest.raises(ValueError, match=r"labels must be parts 0 to 1 or -1, got 2"):
+        load_shapes(stored(tmp_path, points=np.zeros((4, 5, 3)), **truth))
+
+
+def test_about_survives_as_json(tmp_path):
+    shapes = Shapes(points=torch.zeros(2, 3, 3), about={"family": "stühle", "corresponds": True})
+    save_shapes(shapes, tmp_path / "a.npz")
+    assert load_shapes(tmp_path / "a.npz").about == shapes.about

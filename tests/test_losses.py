@@ -1,0 +1,60 @@
+import pytest
+import torch
+from worlds import near, randn, unchecked
+
+from dsn_lite.chamfer import chamfer, plant
+from dsn_lite.losses import fitting, mirror, sparsity_l1, sparsity_l21, symmetry
+
+
+def test_fitting_is_the_mean_chamfer_over_the_batch():
+    x, y = randn(0, 3, 8, 3), randn(1, 3, 6, 3)
+    near(fitting(x, y), sum(chamfer(x[i], y[i]) for i in range(3)) / 3)
+    near(fitting(x, y, plant(y)), fitting(x, y))
+
+
+@pytest.mark.parametrize(("axis", "index"), [("x", 0), ("y", 1), ("z", 2)])
+def test_mirror_flips_one_coordinate(axis, index):
+    x = randn(0, 2, 5, 3)
+    flipped = mirror(x, axis)
+    assert torch.equal(flipped[..., index], -x[..., index])
+    assert torch.equal(mirror(flipped, axis), x)
+    assert int((flipped != x).any(0).any(0).sum()) == 1
+
+
+def test_symmetry_is_zero_for_a_mirrored_pair_and_only_along_its_axis():
+    half = randn(0, 2, 5, 3)
+    whole = torch.cat([half, mirror(half, "x")], dim=-2)
+    assert symmetry(whole).item() == 0
+    assert symmetry(whole, "y").item() > 1e-2
+    near(symmetry(half), chamfer(half, half * torch.tensor([-1.0, 1, 1]).double()).mean())
+
+
+def test_sparsity_by_loops():
+    M = randn(0, 2, 5, 3)
+    columns = [M[b, :, j] for b in range(2) for j in range(3)]
+    near(sparsity_l1(M), sum(sum(abs(value) for value in column) for column in columns) / 2 / 3)
+    near(sparsity_l21(M), sum(sum(value**2 for value in column) ** 0.5 for column in columns) / 2 / 3)
+
+
+def test_sparsity_does_not_see_padded_handles():
+    M = randn(0, 2, 5, 3)
+    padded = torch.cat([M, torch.zeros(2, 4, 3).double()], dim=-2)
+    near(sparsity_l1(padded), sparsity_l1(M))
+    near(sparsity_l21(padded), sparsity_l21(M))
+
+
+def test_a_zero_column_gives_no_nan():
+    M = randn(0, 2, 5, 3)
+    M[..., 1] = 0
+    M.requires_grad_()
+    (sparsity_l1(M) + sparsity_l21(M)).backward()
+    assert M.grad.isfinite().all()
+
+
+def test_l21_is_gradchecked():
+    assert torch.autograd.gradcheck(sparsity_l21, randn(0, 2, 4, 3).requires_grad_())
+
+
+def test_mirror_refuses_another_axis():
+    with pytest.raises(ValueError, match='mirror: axis must be "x", "y" or "z", got \'w\''):
+        unchecked(mirror)(randn(0, 4, 3), "w")

@@ -1,0 +1,122 @@
+import pytest
+import torch
+from hypothesis import given
+from torch import nn
+from worlds import K, deform_sync_net, near, randn, worlds
+
+from dsn_lite.dictionary import column_rms, matrix
+from dsn_lite.networks import DictionaryPredictor, Encoder, perceptron, reset
+
+net = deform_sync_net()
+modes = pytest.mark.parametrize("mode", ["train", "eval"])
+
+
+@modes
+@given(world=worlds())
+def test_encoder_ignores_the_order_of_points_and_repeated_points(world, mode):
+    x, encode = world[0], net.encode.train(mode == "train")
+    near(encode(x.flip(-2)), encode(x))
+    near(encode(torch.cat([x, x[:, :1], x], dim=-2)), encode(x))
+
+
+@modes
+@given(world=worlds())
+def test_dictionary_follows_the_order_of_points(world, mode):
+    x, F = world[0], net.dictionary.train(mode == "train")
+    near(F(x.flip(-2)), F(x).flip(-3))
+
+
+@modes
+@given(world=worlds())
+def test_a_shape_does_not_feel_what_else_is_in_its_batch(world, mode):
+    x, y = world[:2]
+    space = net.train(mode == "train")
+    near(space.encode(torch.cat([x, y]))[: len(x)], space.encode(x))
+    near(space.dictionary(torch.cat([x, y]))[: len(x)], space.dictionary(x))
+
+
+@given(world=worlds())
+def test_columns_have_unit_rms_or_unit_length(world):
+    x = world[0]
+    one = torch.ones(len(x), K).double()
+    near(column_rms(net.dictionary(x)), one)
+    near(torch.linalg.vector_norm(matrix(deform_sync_net(columns="unit").dictionary(x)), dim=-2), one)
+
+
+def test_every_row_feels_a_far_point():
+    x = randn(0, 1, 20, 3)
+    far = x.clone()
+    far[:, 7] = 50.0
+    moved = (net.dictionary(far) - net.dictionary(x)).abs().amax((-1, -2))
+    assert (moved > 1e-3).all()
+
+
+@given(world=worlds())
+def test_at_a_subset_the_rows_are_the_same(world):
+    x = world[0]
+    near(net.dictionary(x, at=x[:, 1:]), net.dictionary(x)[:, 1:])
+
+
+def test_at_takes_features_and_scales_from_x_and_not_from_the_points():
+    x, at = randn(0, 1, 20, 3), randn(1, 1, 5, 3)
+    together = net.dictionary(x, at=at)
+    assert torch.allclose(net.dictionary(x, at=at[:, :1]), together[:, :1])
+    assert not torch.allclose(net.dictionary(at), together)
+
+
+def test_the_split_product_is_that_of_the_repeated_feature():
+    """W_g g + W_p p against W [g; p] with g repeated over the points, in value and gradient."""
+    F, x = DictionaryPredictor(K, (8,), (16,), (16,)).double(), randn(0, 2, 6, 3)
+
+    def slow():
+        here = F.local(x)
+        g = F.features(here).amax(-2, keepdim=True).expand(-1, 6, -1)
+        W = torch.cat([F.from_global.weight, F.from_local.weight], dim=1)
+        A = F.head(torch.cat([g, here], dim=-1) @ W.mT + F.from_local.bias).unflatten(-1, (3, K))
+        return A / A.square().sum(-2).mean(-2).sqrt()[..., None, None, :]
+
+    near(F(x), slow())
+    weight = randn(1, 2, 6, 3, K)
+    fast, twin = (torch.autograd.grad((A * weight).sum(), list(F.parameters())) for A in (F(x), slow()))
+    for one, other in zip(fast, twin, strict=True):
+        near(one, other, scale=other.abs().max())
+
+
+def test_a_zero_column_gives_no_nan_in_value_or_gradient():
+    F = DictionaryPredictor(K, (8,), (16,), (16,)).double()
+    with torch.no_grad():
+        for parameter in F.head[1][-1].parameters():
+            parameter[1::K] = 0  # column 1 of every row
+    A = F(randn(0, 2, 6, 3))
+    A.square().sum().backward()
+    assert (A[..., 1] == 0).all()
+    assert all(parameter.grad.isfinite().all() for parameter in F.parameters())
+
+
+def test_batch_norm_would_feel_what_else_is_in_the_batch():
+    """Teeth of the law above: the axioms do not see batch norm, since xx stays 0."""
+    x, y = randn(0, 2, 2, 6, 3)
+    encode = nn.Sequential(net.encode, nn.BatchNorm1d(K).double()).train()
+    assert torch.equal(encode(x) - encode(x), torch.zeros(2, K).double())
+    assert (encode(torch.cat([x, 2 * y]))[:2] - encode(x)).abs().max() > 1e-2
+
+
+def test_nothing_in_the_networks_differs_between_training_and_use():
+    kinds = {type(layer).__name__ for layer in net.modules()}
+    assert not [kind for kind in kinds if "Dropout" in kind or "Norm" in kind]
+
+
+def test_perceptron_ends_with_a_linear_layer():
+    layers = perceptron((3, 5, 2))
+    assert [type(layer).__name__ for layer in layers] == ["Linear", "LeakyReLU", "Linear"]
+
+
+def test_reset_draws_from_its_seed_and_leaves_the_global_generator_alone():
+    encoders = [Encoder(K, (8, 16), (8,)) for _ in range(3)]
+    torch.manual_seed(5)
+    expected = torch.rand(3)
+    torch.manual_seed(5)
+    weights = [reset(encoder, seed).head[-1].weight for encoder, seed in zip(encoders, (1, 1, 2), strict=True)]
+    assert torch.equal(torch.rand(3), expected)
+    assert torch.equal(weights[0], weights[1])
+    assert not torch.equal(weights[0], weights[2])

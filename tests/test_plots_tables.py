@@ -1,0 +1,61 @@
+import numpy as np
+import pytest
+import trimesh
+
+import data_gen
+from dsn_lite import axioms, byhand, plots
+
+
+def table(width=0.8):
+    return data_gen.mesh("table/four_legs", [width, 0.6, 0.6, 0.05, 0.06, 0.06])
+
+
+def test_together_draws_shapes_where_they_lie():
+    triangle = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0]])
+    figure = plots.together([triangle, triangle + np.array([0, 0, 2.0])], faces=[[0, 1, 2]], titles=["x", "y"])
+    first, second = figure.data
+    assert [first.name, second.name] == ["x", "y"]
+    assert np.allclose(np.array(first.x), np.array(second.x))
+    assert np.allclose(np.array(first.y) - np.array(second.y), 2)  # depth is drawn along -y
+    assert "x, y" in plots.alt(figure)
+
+
+def test_together_refuses_titles_that_do_not_fit():
+    with pytest.raises(ValueError, match=r"together: titles must be one for each of the 1 shapes, got 2"):
+        plots.together([np.eye(3)], faces=[[0, 1, 2]], titles=["x", "y"])
+
+
+def test_meshes_are_drawn_in_their_own_colours():
+    figure = plots.meshes([table(), table(0.5)], titles=["wide", "narrow"])
+    assert len(figure.data) == 10
+    assert set(figure.data[0].facecolor) == {"rgb(0,114,178)"}  # the colour that data_gen gives the top
+    assert plots.alt(figure).startswith("2 meshes")
+
+
+def test_meshes_without_colours_are_grey_and_edges_add_wires():
+    box = trimesh.creation.box()
+    figure = plots.meshes([box], edges=True)
+    solid, wires = figure.data
+    assert (solid.color, solid.facecolor) == ("#8A8A8A", None)
+    assert len(wires.x) == 5 * len(box.faces)
+    assert np.isnan(wires.x[4])
+
+
+def test_law_table_shows_zero_for_what_holds_to_rounding():
+    spaces = {"translation": byhand.translations()} | byhand.BROKEN
+    table = byhand.who_breaks_what(spaces, byhand.copies(6))
+    figure = plots.law_table(table, list(spaces), list(axioms.LAWS))
+    assert set(figure.data[0].text[0]) == {"0"}
+    assert "translation breaks none." in plots.alt(figure)
+    assert "parallelogram_closes breaks actions_add" in plots.alt(figure)
+
+
+def test_law_table_refuses_numbers_of_other_spaces():
+    with pytest.raises(ValueError, match=r"law_table: residuals must be one a space and law, \(1, 7\), got \(2, 7\)"):
+        plots.law_table(np.zeros((2, 7)), ["one"], list(axioms.LAWS))
+
+
+def test_bars_are_one_a_choice():
+    figure = plots.bars({1: 0.5, 2: 0.25}, x="columns", y="distance")
+    assert (list(figure.data[0].x), list(figure.data[0].y)) == (["1", "2"], [0.5, 0.25])
+    assert plots.alt(figure) == "distance against columns: 1: 0.5, 2: 0.25"

@@ -1,0 +1,147 @@
+import json
+from dataclasses import replace
+
+import pytest
+import torch
+from safetensors.torch import load_file, save_file
+from worlds import randn, shapes_of
+
+from dsn_lite.config import Config, network
+from dsn_lite.data import Frame
+from dsn_lite.runs import beside, load_run, save_run, save_tensors
+
+CONFIG = Config(k=3, features=(8, 16, 32), head=(12,), steps=1)
+
+
+def written(run, config=CONFIG):
+    """A run folder of an untrained space, and the space."""
+    space = network(config, Frame.of(shapes_of()))
+    save_run(space, config, run, shapes_of().points[:2])
+    return space
+
+
+def test_what_is_saved_is_loaded(tmp_path):
+    space, x = written(tmp_path / "run"), randn(0, 2, 6, 3, dtype=torch.float32)
+    loaded = load_run(tmp_path / "run")
+    assert torch.equal(loaded.deform(x, x.flip(0)), space.deform(x, x.flip(0)))
+    assert loaded.frame == space.frame
+    assert not loaded.training
+    assert {file.name for file in (tmp_path / "run").iterdir()} == {
+        "config.json",
+        "model.safetensors",
+        "probe.safetensors",
+    }
+
+
+def test_the_files_are_plain_and_hold_no_pickle(tmp_path):
+    written(tmp_path)
+    about = json.loads((tmp_path / "config.json").read_text(encoding="utf-8"))
+    assert about["config"]["k"] == 3
+    probe = load_file(tmp_path / "probe.safetensors")
+    assert set(probe) == {"x", "y", "deformed"}
+
+
+@pytest.mark.parametrize("name", ["config.json", "model.safetensors", "probe.safetensors"])
+def test_a_missing_file(name, tmp_path):
+    written(tmp_path)
+    (tmp_path / name).unlink()
+    with pytest.raises(FileNotFoundError, match=rf"load_run: .* must hold {name}, it does not; is it a run folder?"):
+        load_run(tmp_path)
+
+
+def test_no_folder_at_all(tmp_path):
+    with pytest.raises(FileNotFoundError, match=r"must hold config.json, it does not; is it a run folder?"):
+        load_run(tmp_path / "none")
+
+
+@pytest.mark.parametrize("name", ["model.safetensors", "probe.safetensors"])
+@pytest.mark.parametrize("share", [0.0, 0.1, 0.9])
+def test_a_truncated_file(name, share, tmp_path):
+    written(tmp_path)
+    whole = (tmp_path / name).read_bytes()
+    (tmp_path / name).write_bytes(whole[: int(share * len(whole))])
+    with pytest.raises(ValueError, match=rf"load_run: .*{name} must be a whole safetensors file \(.*\); copy the run"):
+        load_run(tmp_path)
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        "",
+        '{"config": {"k": 3',
+        "[1, 2]",
+        '{"name": "a package"}',
+        '{"config": {"k": 3}, "frame": null}',
+        '{"config": {"k": 3}, "frame": {}}',
+        '{"config": [3], "frame": {}}',
+        '{"config": {"k": -3}, "frame": {}}',
+    ],
+)
+def test_the_config_of_something_else(content, tmp_path):
+    written(tmp_path)
+    (tmp_path / "config.json").write_text(content, encoding="utf-8")
+    with pytest.raises(ValueError, match=r"load_run: .*config\.json must be the config of a run \(.*\); copy the run"):
+        load_run(tmp_path)
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"k": 5}, r"model\.safetensors has k = 5, config\.json says 3; files of two runs are mixed"),
+        ({"head": (10,)}, r"dictionary\.\S+ is \(10.* instead of \(12.*; files of two runs are mixed"),
+        ({"head": (12, 7)}, r"dictionary\.\S+ is .* instead of .*; files of two runs are mixed"),
+    ],
+)
+def test_weights_of_another_run(change, words, tmp_path):
+    written(tmp_path / "one")
+    written(tmp_path / "other", replace(CONFIG, **change))
+    (tmp_path / "other" / "model.safetensors").replace(tmp_path / "one" / "model.safetensors")
+    with pytest.raises(ValueError, match=rf"load_run: .*{words}"):
+        load_run(tmp_path / "one")
+
+
+def test_weights_of_another_seed_do_not_give_the_probe_again(tmp_path):
+    written(tmp_path / "one")
+    written(tmp_path / "other", replace(CONFIG, seed=1))
+    (tmp_path / "other" / "model.safetensors").replace(tmp_path / "one" / "model.safetensors")
+    with pytest.raises(
+        ValueError, match=r"must give its probe again within 0.0001, it is off by .*changed after training"
+    ):
+        load_run(tmp_path / "one")
+
+
+@pytest.mark.parametrize("change", [1e-3, float("nan")])
+def test_a_changed_probe(change, tmp_path):
+    written(tmp_path)
+    probe = load_file(tmp_path / "probe.safetensors")
+    probe["deformed"][3, 1] += change
+    save_file(probe, tmp_path / "probe.safetensors")
+    with pytest.raises(ValueError, match=r"must give its probe again within 0.0001, it is off by"):
+        load_run(tmp_path)
+
+
+def test_a_probe_of_something_else(tmp_path):
+    written(tmp_path)
+    save_file({"x": torch.zeros(4, 3)}, tmp_path / "probe.safetensors")
+    with pytest.raises(ValueError, match=r"probe\.safetensors must hold x, y and deformed, got x"):
+        load_run(tmp_path)
+
+
+def test_a_crash_while_writing_leaves_the_old_file_and_nothing_beside_it(tmp_path):
+    path = tmp_path / "history.jsonl"
+    path.write_text("old", encoding="utf-8")
+
+    def crash(part):
+        part.write_text("half", encoding="utf-8")
+        raise OSError("disk full")
+
+    with pytest.raises(OSError, match=r"disk full"):
+        beside(path, crash)
+    assert path.read_text(encoding="utf-8") == "old"
+    assert [file.name for file in tmp_path.iterdir()] == ["history.jsonl"]
+
+
+def test_tensors_are_written_whole_even_if_they_are_views(tmp_path):
+    part = torch.arange(12.0).reshape(3, 4).mT[1:]
+    save_tensors({"part": part}, tmp_path / "a.safetensors")
+    assert torch.equal(load_file(tmp_path / "a.safetensors")["part"], part)

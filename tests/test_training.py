@@ -1,0 +1,142 @@
+import json
+from dataclasses import fields, replace
+from itertools import pairwise
+
+import pytest
+import torch
+from worlds import shapes_of
+
+from dsn_lite.config import Config
+from dsn_lite.data import triplets
+from dsn_lite.metrics import evaluate, transfer_error
+from dsn_lite.runs import load_run
+from dsn_lite.training import Record, Training, train
+
+TINY = Config(k=3, batch=4, steps=30, features=(8, 16, 32), head=(16,))
+shapes = shapes_of("box/one", 20, 32)
+
+
+def weights(space):
+    return torch.cat([value.flatten() for value in space.state_dict().values()])
+
+
+def stop_at(look):
+    """A watch that presses Ctrl-C at one of the looks."""
+
+    def watch(training, record):
+        if len(training.history) == look:
+            raise KeyboardInterrupt
+
+    return watch
+
+
+# what is trained
+
+
+def test_training_beats_doing_nothing_in_fitting_and_against_the_true_transfer():
+    boxes = shapes_of("box/one", 200, 64)
+    training = Training(boxes, Config(k=3, batch=8, steps=400, features=(32, 64, 128), head=(64,)))
+    for _ in training:
+        pass
+    training.space.load_state_dict(training.best)
+    found = evaluate(training.space, training.test, pairs=40)
+    assert found.fitting_cd < found.do_nothing_cd / 2
+    assert found.transfer_error < 0.5
+    assert found.identity == 0
+    assert found.share_moved > 0.5
+    assert transfer_error(training.space.untrained(), *triplets(training.test, 40, with_truth=True)) > 0.5
+
+
+def test_the_same_seed_gives_the_same_weights_and_another_gives_others():
+    one, again, other = (train(shapes, replace(TINY, seed=seed)) for seed in (0, 0, 1))
+    assert torch.equal(weights(one), weights(again))
+    assert not torch.equal(weights(one), weights(other))
+
+
+def test_the_best_weights_are_kept():
+    training = Training(shapes, replace(TINY, learning_rate=0.05))
+    seen = [(record.validation_cd, weights(training.space).clone()) for record in training]
+    cd, best = min(seen, key=lambda pair: pair[0])
+    training.space.load_state_dict(training.best)
+    assert training.best_cd == cd == training.validation_cd()
+    assert torch.equal(weights(training.space), best)
+    assert cd < max(seen, key=lambda pair: pair[0])[0]
+
+
+def test_the_loss_is_fitting_plus_the_weight_times_symmetry():
+    plain, symmetric = Training(shapes, TINY), Training(shapes, replace(TINY, symmetry=2.0))
+    twice = Training(shapes, replace(TINY, symmetry=4.0))
+    a, b, c = (training.loss().item() for training in (plain, symmetric, twice))
+    assert a < b
+    assert c - b == pytest.approx(b - a, rel=1e-4)
+
+
+def test_nobody_is_paired_with_itself():
+    """Then an untrained space, which never fits exactly, has a loss above that of pairs with themselves, which is 0."""
+    two = Training(shapes, replace(TINY, batch=2))
+    assert all(two.loss().item() > 1e-4 for two.step in range(20))
+
+
+def test_shapes_that_are_validated_or_tested_are_not_trained_on():
+    training = Training(shapes, TINY)
+    groups = [set(part.names) for part in (training.train, training.validation, training.test)]
+    assert sum(map(len, groups)) == len(set.union(*groups)) == 20
+    assert len(training.points) == len(groups[0])
+
+
+def test_the_learning_rate_rises_and_falls_to_nothing():
+    training = Training(shapes, replace(TINY, steps=1000))
+    rates = []
+    for training.step in range(1001):
+        rates.append(training.learning_rate)
+    top = rates.index(max(rates))
+    assert 0 < rates[0] < TINY.learning_rate / 100
+    assert 15 <= top <= 25
+    assert max(rates) == pytest.approx(TINY.learning_rate, rel=0.01)
+    assert all(a > b for a, b in pairwise(rates[top:]))
+    assert rates[-1] == 0
+
+
+def test_a_budget_of_seconds_ends(capsys):
+    training = Training(shapes, replace(TINY, steps=None, seconds=0.3))
+    records = list(training)
+    assert records[-1].seconds >= 0.3
+    assert training.progress >= 1
+
+
+def test_training_is_told_about_on_one_line(capsys):
+    train(shapes, TINY)
+    assert "validation=" in capsys.readouterr().out
+
+
+# what is written
+
+
+def test_the_history_is_json_lines_one_a_look(tmp_path):
+    seen = []
+    train(shapes, replace(TINY, steps=40), out=tmp_path, watch=lambda training, record: seen.append(record))
+    lines = [json.loads(line) for line in (tmp_path / "history.jsonl").read_text(encoding="utf-8").splitlines()]
+    assert [Record(**line) for line in lines] == seen
+    assert [line["step"] for line in lines] == list(range(2, 41, 2))
+    assert set(lines[0]) == {field.name for field in fields(Record)}
+
+
+def test_the_run_holds_the_space_that_is_returned(tmp_path):
+    space = train(shapes, TINY, out=tmp_path / "deep" / "run")
+    assert torch.equal(weights(load_run(tmp_path / "deep" / "run")), weights(space))
+    assert not list(tmp_path.rglob("*.part"))
+
+
+def test_a_crash_while_writing_leaves_the_checkpoint_before_it(tmp_path, monkeypatch):
+    train(shapes, TINY, out=tmp_path, watch=stop_at(5))
+    before = (tmp_path / "checkpoint.safetensors").read_bytes()
+
+    def crash(tensors, path):
+        path.write_bytes(b"half a fi")
+        raise OSError("disk full")
+
+    monkeypatch.setattr("dsn_lite.runs.save_file", crash)
+    with pytest.raises(OSError, match=r"disk full"):
+        train(shapes, TINY, out=tmp_path, resume=True)
+    assert (tmp_path / "checkpoint.safetensors").read_bytes() == before
+    assert not list(tmp_path.rglob("*.part"))
