@@ -47,6 +47,7 @@ class Evaluation:
     exact_cd: float | None  # what the true deformation scores: samples of x placed on y are not area-weighted on y
     identity: float
     parallelogram_cd: float
+    moved: float  # rms of z (+) xy - z: a parallelogram closes easily where little moves
     share_moved: float  # rms of z (+) xy - z over rms of x (+) xy - x
     transfer_error: float | None  # squared distance to the true transfer, as a share of leaving z alone
 
@@ -77,6 +78,7 @@ def evaluate(space: ActionSpace, shapes: Any, *, again: Any = None, pairs: int =
         exact_cd=chamfer(true_deformation(x, y), y.points).mean().item() if known else None,
         identity=rms(space.deform(x.points, x.points) - x.points),
         parallelogram_cd=chamfer(moved, space.transfer(x.points, z.points, y.points)).mean().item(),
+        moved=rms(moved - z.points),
         share_moved=rms(moved - z.points) / max(rms(deformed - x.points), 1e-12),
         transfer_error=_transfer_error(space, shapes, pairs, seed) if known else None,
     )

@@ -24,9 +24,9 @@ COLUMNS = ("fitting", "parallelogram", "identity", "moved", "transfer")
 
 
 def numbers(result: Evaluation) -> tuple[float, ...]:
-    """One row of the table: CDs over the floor, identity residual, share moved, transfer error."""
+    """One row of the table: CDs over the floor, identity residual, rms of z (+) xy - z, transfer error."""
     fitting, parallelogram = result.fitting_cd / result.floor, result.parallelogram_cd / result.floor
-    return fitting, parallelogram, result.identity, result.share_moved, result.transfer_error
+    return fitting, parallelogram, result.identity, result.moved, result.transfer_error
 
 
 def run(tables: data_gen.Collection, again: dsn_lite.Shapes, config: dsn_lite.Config) -> dict[str, tuple[float, ...]]:
