@@ -1,4 +1,4 @@
-"""The command line: python -m dsn_lite train | evaluate | axioms | deform | transfer | zoo | build."""
+"""The command line: python -m dsn_lite collect | train | evaluate | axioms | deform | transfer | zoo | build."""
 
 import json
 import sys
@@ -16,7 +16,7 @@ from . import build as building
 from . import train as training
 from .config import Config
 from .data import Shapes
-from .files import load_shapes
+from .files import load_shapes, save_shapes
 from .runs import load_run
 from .space import DeformSyncNet
 from .training import Record
@@ -48,6 +48,31 @@ def train(file: File, /, *, out: Path, config: OmitArgPrefixes[Settings], resume
     told = Config(**asdict(config))
     training(load_shapes(file), told, out=out, resume=resume, watch=lambda _, record: records.append(record))
     print(f"{out}: {_summary(records)}")
+
+
+def collect(
+    folder: Positional[Annotated[Path, arg(metavar="FOLDER")]],
+    /,
+    *,
+    out: Out,
+    points: int = 512,
+    up: Literal["auto", "y", "z"] = "auto",
+    seed: int = 0,
+) -> None:
+    """Make a sample file to train on from a folder of meshes: sampled, upright, on one floor, at one scale.
+
+    Args:
+        folder: Its .glb, .gltf, .obj, .ply, .stl and .off files are taken, those of folders in it too.
+        out: The sample file (.npz) to write.
+        points: How many points are sampled on each mesh.
+        up: The axis that points up in all files; auto goes by the format, then by the form.
+        seed: Seed of the samples.
+    """
+    from . import meshes
+
+    shapes = meshes.collect(meshes.folder(folder), points, up=up, seed=seed)
+    save_shapes(shapes, out)
+    print(f"{out}: {len(shapes)} shapes of {points} points")
 
 
 def evaluate(
@@ -225,6 +250,7 @@ def _save(mesh: object, out: Path) -> None:
 
 
 COMMANDS = {
+    "collect": collect,
     "train": train,
     "evaluate": evaluate,
     "axioms": report_axioms,

@@ -36,7 +36,7 @@ def mean_square(u: Points) -> Float[Tensor, ""]:
     return u.square().sum(-1).mean()
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Evaluation:
     """Hold-out results of one space. `floor` and what needs the true answer are None where the file does not tell."""
 
@@ -51,7 +51,7 @@ class Evaluation:
     share_moved: float  # rms of z (+) xy - z over rms of x (+) xy - x
     transfer_error: float | None  # squared distance to the true transfer, as a share of leaving z alone
 
-    def __str__(self) -> str:
+    def __repr__(self) -> str:
         lines = []
         for name, value in asdict(self).items():
             shown = "unknown" if value is None else f"{value:.4g}"

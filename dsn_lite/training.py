@@ -107,6 +107,7 @@ class Training:
         self.step += 1
         return loss.item()
 
+    @torch.enable_grad()
     def loss(self) -> Tensor:
         """L = L_F + w L_R (Eqs. 9, 10) on the batch of this step."""
         rng = np.random.default_rng((self.config.seed, self.step))

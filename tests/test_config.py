@@ -65,3 +65,10 @@ def test_the_network_is_that_of_the_configuration_and_its_seed():
     assert space.dictionary(x).square().sum((-3, -2)).allclose(torch.ones(2, 5))
     assert torch.equal(network(config).encode(x), space.encode(x))
     assert not torch.equal(network(replace(config, seed=1)).encode(x), space.encode(x))
+
+
+def test_a_device_that_is_not_there(monkeypatch):
+    monkeypatch.setattr(torch.cuda, "is_available", lambda: False)
+    shapes = Shapes(points=torch.zeros(10, 8, 3))
+    with pytest.raises(ValueError, match=r"train: device must be there, got 'cuda' and no GPU .*; use \"cpu\""):
+        Config(k=2, device="cuda").check(shapes)

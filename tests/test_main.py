@@ -180,3 +180,10 @@ def test_a_wrong_word_is_refused_with_2(capsys):
         main(["deform"])
     assert caught.value.code == 2
     assert "required" in capsys.readouterr().err.lower()
+
+
+def test_collect_makes_a_file_to_train_on(tmp_path, capsys):
+    trimesh.creation.box((1, 2, 1)).export(tmp_path / "box.ply")
+    assert main(["collect", str(tmp_path), "--points", "40", "--out", str(tmp_path / "mine.npz")]) == 0
+    assert "1 shapes of 40 points" in capsys.readouterr().out
+    assert load_shapes(tmp_path / "mine.npz").points.shape == (1, 40, 3)

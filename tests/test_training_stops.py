@@ -153,3 +153,11 @@ def test_resuming_with_another_k(tmp_path):
         ValueError, match=r"train: the checkpoint in .* must fit this Config, it has another k or other"
     ):
         train(shapes, replace(TINY, k=4), out=tmp_path, resume=True)
+
+
+def test_a_run_is_not_written_over(tmp_path):
+    train(shapes, TINY, out=tmp_path, watch=stop_at(2))
+    before = (tmp_path / "model.safetensors").read_bytes()
+    with pytest.raises(ValueError, match=r"train: .* must not hold a run already, it does; resume it, or choose"):
+        train(shapes, TINY, out=tmp_path)
+    assert (tmp_path / "model.safetensors").read_bytes() == before

@@ -11,7 +11,15 @@ MOST_POINTS = 4096  # drawn of one cloud
 COLOURS = (*PALETTE, GREY)  # a part's colour is its label; points of no part are grey
 SCALE = [[(i + end) / len(COLOURS), colour] for i, colour in enumerate(COLOURS) for end in (0, 1)]
 PAINT = {"colorscale": SCALE, "cmin": 0, "cmax": len(COLOURS)}
-LIGHT = {"ambient": 0.55, "diffuse": 0.7, "specular": 0.1, "roughness": 0.9, "fresnel": 0.1}
+LIGHT = {
+    "ambient": 0.55,
+    "diffuse": 0.7,
+    "specular": 0.1,
+    "roughness": 0.9,
+    "fresnel": 0.1,
+    "facenormalsepsilon": 0,
+    "vertexnormalsepsilon": 0,
+}
 LEGEND = {"orientation": "h", "x": 0.5, "xanchor": "center", "y": 0, "yanchor": "top", "itemsizing": "constant"}
 
 

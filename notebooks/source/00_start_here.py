@@ -11,7 +11,6 @@
 # Run a cell with **Shift + Enter**, from top to bottom.
 
 # %%
-
 import data_gen
 import dsn_lite
 from dsn_lite import checks, lessons, meshes, plots, widgets
@@ -21,7 +20,7 @@ lessons.begin()
 # %% [markdown]
 # ## 1 Does it work?
 #
-# Python calculates in one process, the page you look at is another. Press the button: if the line below it changes, the two talk to each other.
+# Python calculates in one process, the page you look at is another. A green sentence says that the two talk to each other.
 
 # %%
 widgets.heartbeat()
@@ -47,10 +46,10 @@ space.dictionary(tables.points[0]).shape
 
 # %% [markdown]
 # **Predict first.** One slider below gives the *same* instruction to two different tables. Will "wider" on the left be "wider" on the right, although
-# no one ever told the network which points are legs?
+# no one ever told the network which points are legs? (The colours are for you.)
 
 # %%
-widgets.DictionarySliders(space, tables.points[:2], vectors=space.encode(tables.points))
+widgets.DictionarySliders(space, tables.points[:2], labels=tables.labels[:2], vectors=space.encode(tables.points))
 
 # %% [markdown]
 # Where do vectors come from? From pairs: a second network turns each shape into a code, and $\overrightarrow{xy} = \mathcal{E}(y) - \mathcal{E}(x)$ is what turns $x$ into $y$.
@@ -71,8 +70,8 @@ from pathlib import Path
 
 folder = Path("my_meshes")
 folder.mkdir(exist_ok=True)
-data_gen.save_mesh(data_gen.mesh("table/four_legs", [1.0, 0.45, 0.6, 0.04, 0.1, 0.1]), folder / "low.glb")
-data_gen.save_mesh(data_gen.mesh("table/four_legs", [0.55, 0.95, 0.7, 0.1, 0.05, 0.05]), folder / "high.glb")
+data_gen.save_mesh(data_gen.mesh("table/four_legs", [0.9, 0.5, 0.6, 0.05, 0.09, 0.09]), folder / "low.glb")
+data_gen.save_mesh(data_gen.mesh("table/four_legs", [0.6, 0.85, 0.7, 0.09, 0.05, 0.05]), folder / "high.glb")
 
 # %%
 source, target = meshes.load_mesh(folder / "low.glb"), meshes.load_mesh(folder / "high.glb")
@@ -94,8 +93,8 @@ meshes.save_mesh(deformed, folder / "deformed.glb")
 # Eight corners cannot bend a face. If your mesh is coarse, ask for smaller edges: a number is the longest edge allowed, as a share of the mesh's size.
 
 # %%
-finer = meshes.deform(space, source, target, subdivide=0.1)
-plots.meshes([deformed, finer], titles=["vertices as they were", "subdivided"], edges=True)
+finer = meshes.deform(space, source, target, subdivide=0.05)
+plots.meshes([deformed, finer], titles=["vertices as they were", "subdivided"], edges=False)
 
 # %% [markdown]
 # The same without a notebook: `python -m dsn_lite deform table_four_legs SOURCE TARGET -o OUT`.
