@@ -16,7 +16,7 @@ from jaxtyping import Float
 from scipy.spatial import cKDTree
 from torch import Tensor
 
-from .types import OtherPoints, Partners, Points
+from .types import OtherPoints, Partners, Points, check_clouds
 
 BLOCK = 1 << 24  # entries of one block of squared distances on a GPU: 64 MB of float32
 
@@ -26,13 +26,7 @@ def chamfer(x: Points, y: OtherPoints, trees: Sequence[cKDTree] | None = None) -
 
     Raises ValueError where x or y is not (..., n, 3), has no points, or holds NaN or infinity.
     """
-    for name, cloud in (("x", x), ("y", y)):
-        if cloud.ndim < 2 or cloud.shape[-1] != 3 or cloud.shape[-2] == 0:
-            raise ValueError(
-                f"chamfer: {name} must be (..., n, 3) points with n > 0, got {tuple(cloud.shape)}; transpose with .mT"
-            )
-        if not cloud.isfinite().all():
-            raise ValueError(f"chamfer: {name} must be finite, got NaN or infinity; clean the points first")
+    check_clouds("chamfer", x=x, y=y)
     batch = torch.broadcast_shapes(x.shape[:-2], y.shape[:-2])
     x, y = x.expand(*batch, *x.shape[-2:]), y.expand(*batch, *y.shape[-2:])
     return _one_way(x, y, nearest(x, y, trees)) + _one_way(y, x, nearest(y, x))

@@ -67,11 +67,17 @@ def laws(space: ActionSpace, shapes: Shapes, name: str, *, keeps: Sequence[str],
     """Checks that a space of the reader's own keeps some laws of axioms.LAWS on these shapes and breaks others."""
     problem = unfinished(getattr(space, "function", None))
     if problem is None:
-        found = residuals(space, *triplets(shapes, 32))
-        kept = [f"it must keep {law}, but the residual is {found[law]:.2g}" for law in keeps if found[law] > 1e-9]
-        broken = [f"it must break {law}, but the residual is {found[law]:.2g}" for law in breaks if found[law] < 1e-6]
-        problem = next(iter(kept + broken), None)
+        try:
+            problem = _laws_problem(residuals(space, *triplets(shapes, 32)), keeps, breaks)
+        except Exception as error:  # whatever a student's function does is the diagnosis
+            problem = f"it raises {type(error).__name__} ({str(error).splitlines()[0][:120] if str(error) else ''})"
     _tell(name, problem)
+
+
+def _laws_problem(found: dict[str, float], keeps: Sequence[str], breaks: Sequence[str]) -> str | None:
+    kept = [f"it must keep {law}, but the residual is {found[law]:.2g}" for law in keeps if not found[law] <= 1e-9]
+    broken = [f"it must break {law}, but the residual is {found[law]:.2g}" for law in breaks if not found[law] >= 1e-6]
+    return next(iter(kept + broken), None)
 
 
 def _try(answer, reference, arguments: tuple, hints: dict, factors, tolerance: float) -> str | None:

@@ -6,8 +6,11 @@ from typing import Any
 import torch
 
 from .data import Frame, Shapes
+from .losses import AXES
 from .networks import DictionaryPredictor, Encoder, reset
 from .space import DeformSyncNet
+
+FARTHEST = 10.0  # coordinates beyond it were never brought to a common scale
 
 
 @dataclass(frozen=True)
@@ -18,6 +21,7 @@ class Config:
     seconds: float = 120.0  # budget of time on this machine
     steps: int | None = None  # budget of steps instead: the same result again, on any machine of this kind
     batch: int = 8  # shapes a step, each a source and a target; paper: 16 or 32 pairs
+    points: int = 512  # of a source, read in a step: sub-sampled anew from denser clouds, the target stays dense
     learning_rate: float = 4e-3  # paper's code: 5e-4 and 1e-3
     symmetry: float = 0.0  # weight of L_R; paper: 1
     mirror: str = "x"  # axis across which shapes are symmetric
@@ -28,21 +32,27 @@ class Config:
     device: str = "cpu"
 
     def __post_init__(self) -> None:
-        for name in ("k", "batch", "learning_rate"):
+        for name in ("k", "batch", "points", "learning_rate"):
             self._positive(name, getattr(self, name))
         self._positive("seconds" if self.steps is None else "steps", self.seconds if self.steps is None else self.steps)
         if self.batch < 2:
             raise ValueError(
                 f"Config: batch must be at least 2, since a batch is paired within itself, got {self.batch}"
             )
+        if not 0 <= self.symmetry < float("inf"):
+            raise ValueError(f"Config: symmetry must be a weight, 0 or more, got {self.symmetry}; 0 leaves L_R out")
+        if self.mirror not in AXES:
+            raise ValueError(f'Config: mirror must be "x", "y" or "z", got {self.mirror!r}; data_gen mirrors at x = 0')
+        if self.seed < 0:
+            raise ValueError(f"Config: seed must be 0 or more, got {self.seed}; any whole number will do")
         if self.columns not in ("rms", "unit"):
             raise ValueError(
                 f'Config: columns must be "rms" or "unit", got {self.columns!r}; keep "rms" unless you compare'
             )
-        if len(self.features) < 2 or not self.head:
+        if len(self.features) < 2 or not self.head or min(*self.features, *self.head) < 1:
             raise ValueError(
-                f"Config: features needs at least two widths and head one, got {self.features} and {self.head}; "
-                "keep the defaults"
+                f"Config: features needs at least two widths and head one, each 1 or more, got {self.features} and "
+                f"{self.head}; keep the defaults"
             )
 
     def _positive(self, name: str, value: Any) -> None:
@@ -59,16 +69,26 @@ class Config:
                 f"train: at least 8 shapes are needed to train and to hold some out, got {N}; bring more shapes"
             )
 
-        if self.device.startswith("cuda") and not torch.cuda.is_available():
+        if (far := shapes.points.abs().max().item()) > FARTHEST:
             raise ValueError(
-                f'train: device must be there, got {self.device!r} and no GPU that torch can use; use "cpu"'
+                f"train: points should lie in [-0.5, 0.5] and must not lie beyond {FARTHEST:g}, got {far:.3g}; "
+                "scale all shapes alike"
             )
+        check_device(self.device)
 
     @classmethod
     def from_json(cls, values: dict[str, Any]) -> "Config":
         """The Config that `asdict` wrote; lists become tuples again."""
         known = {field.name for field in fields(cls)}
         return cls(**{name: tuple(v) if isinstance(v, list) else v for name, v in values.items() if name in known})
+
+
+def check_device(device: str) -> None:
+    """Raises ValueError where torch knows no such device or there is none."""
+    try:
+        torch.zeros(1, device=device)
+    except (RuntimeError, AssertionError):
+        raise ValueError(f'device: must be one that torch can use here, got {device!r}; use "cpu"') from None
 
 
 def network(config: Config, frame: Frame | None = None) -> DeformSyncNet:

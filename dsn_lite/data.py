@@ -41,7 +41,8 @@ class Shapes:
     @property
     def truth_is_known(self) -> bool:
         """True where every point belongs to a part with a box, so that true deformations can be computed."""
-        return None not in (self.labels, self.rest, self.boxes) and bool((self.labels >= 0).all())
+        known = None not in (self.labels, self.rest, self.boxes) and bool((self.labels >= 0).all())
+        return known and bool(self.boxes.isfinite().all())
 
     @property
     def ranges(self) -> np.ndarray | None:
@@ -137,6 +138,8 @@ def triplets(shapes: Shapes, count: int, seed: int = 0, *, with_truth: bool = Fa
     ranges are known, every part larger than nothing): outside, the answer need not be a shape. Raises ValueError where
     there are too few.
     """
+    if count < 1 or seed < 0:
+        raise ValueError(f"triplets: count must be 1 or more and seed 0 or more, got {count} and {seed}; ask for more")
     rng, found = np.random.default_rng(seed), np.zeros((0, 3), dtype=np.int64)
     for _ in range(1000 if len(shapes) > 2 else 0):
         drawn = rng.integers(len(shapes), size=(4 * count, 3))

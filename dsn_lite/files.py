@@ -17,8 +17,6 @@ def as_shapes(source: Any) -> Shapes:
 
     Raises ValueError or TypeError in one sentence where the points are not finite clouds of one size.
     """
-    if isinstance(source, Shapes):
-        return source
     if not hasattr(source, "points"):
         return Shapes(points=_points(source, "as_shapes"))
     known = {f.name: getattr(source, f.name, None) for f in fields(Shapes)}
@@ -58,6 +56,7 @@ def save_shapes(shapes: Any, path: str | Path) -> None:
     shapes, path = as_shapes(shapes), Path(path)
     arrays = {f.name: getattr(shapes, f.name) for f in fields(Shapes)}
     arrays["about"] = json.dumps(shapes.about)
+    path.parent.mkdir(parents=True, exist_ok=True)
     beside = path.with_name(path.name + ".part")
     try:
         with open(beside, "wb") as file:
@@ -79,20 +78,35 @@ def _known(value: Any) -> bool:
 
 
 def _assemble(known: dict[str, Any], where: str) -> Shapes:
-    taken: dict[str, Any] = {"points": _points(known["points"], where), "about": dict(known.get("about") or {})}
+    about = known.get("about") or {}
+    if not isinstance(about, dict):
+        raise ValueError(f"{where}: about must be a JSON object, got {str(about)[:40]!r}; {CURE}")
+    taken: dict[str, Any] = {"points": _points(known["points"], where), "about": about}
     for name in ("labels", "rest", "boxes", "parameters"):
         if known.get(name) is not None:
-            value = torch.as_tensor(np.asarray(known[name]))
+            value = _numbers(name, np.asarray(known[name]), where)
             taken[name] = value if name == "labels" else value.to(taken["points"].dtype)
     for name in ("parameter_names", "part_names", "names"):
         value = known.get(name)
         taken[name] = tuple(str(word) for word in value) if value is not None else ()
     for name in ("labels", "rest", "boxes", "parameters"):
         _agree(name, taken.get(name), taken["points"], where)
+    if "labels" in taken and "rest" in taken and taken["labels"].ndim != taken["rest"].ndim - 1:
+        raise ValueError(f"{where}: labels and rest must both be shared by all shapes or both be each shape's; {CURE}")
     if "labels" in taken and "boxes" in taken and taken["labels"].max() >= taken["boxes"].shape[1]:
         parts, most = taken["boxes"].shape[1], int(taken["labels"].max())
         raise ValueError(f"{where}: labels must be parts 0 to {parts - 1} or -1, got {most}; {CURE}")
     return Shapes(**taken)
+
+
+def _numbers(name: str, array: np.ndarray, where: str) -> Tensor:
+    """Integers for labels, real numbers for the rest; only boxes may hold NaN, where a shape has fewer parts."""
+    wanted, kinds = ("whole numbers", "iu") if name == "labels" else ("real numbers", "fiu")
+    if array.dtype.kind not in kinds:
+        raise ValueError(f"{where}: {name} must be {wanted}, got {array.dtype}; {CURE}")
+    if name != "boxes" and not np.isfinite(array).all():
+        raise ValueError(f"{where}: {name} must be finite, got NaN or infinity; {CURE}")
+    return torch.as_tensor(array)
 
 
 def _points(source: Any, where: str) -> Tensor:
@@ -103,6 +117,8 @@ def _points(source: Any, where: str) -> Tensor:
         array = np.empty(0, dtype=object)
     if array.dtype == object:
         raise ValueError(f"{where}: {MIXED}")
+    if array.dtype.kind not in "fiu":
+        raise ValueError(f"{where}: points must be real numbers, got {array.dtype}; {CURE}")
     if array.ndim != 3 or array.shape[-1] != 3 or 0 in array.shape:
         raise ValueError(
             f"{where}: points must be (N, n, 3) with N, n > 0, got {array.shape}; stack the clouds of all shapes"
@@ -120,8 +136,10 @@ def _points(source: Any, where: str) -> Tensor:
 def _agree(name: str, value: Tensor | None, points: Tensor, where: str) -> None:
     """Refuses labels, rest, boxes or parameters that belong to other points."""
     N, n = points.shape[:2]
-    allowed = {"labels": [(N, n), (n,)], "rest": [(N, n, 3), (n, 3)]}.get(name)
-    if value is not None and tuple(value.shape) not in (allowed or [(N, *value.shape[1:])]):
+    if value is None:
+        return
+    allowed = {"labels": [(N, n), (n,)], "rest": [(N, n, 3), (n, 3)], "parameters": [(N, value.shape[-1])]}
+    if tuple(value.shape) not in allowed.get(name, [(N, *value.shape[1:2], 15)]):
         raise ValueError(f"{where}: {name} must go with {N} shapes of {n} points, got {tuple(value.shape)}; {CURE}")
 
 

@@ -10,13 +10,14 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import torch
 from jaxtyping import Float
 from safetensors import SafetensorError
-from safetensors.torch import load_file, save_file
+from safetensors.torch import load_file, save
 from torch import Tensor
 
-from .config import Config, network
+from .config import Config, check_device, network
 from .data import Frame
 from .space import DeformSyncNet
 
@@ -43,18 +44,24 @@ def load_run(run: str | Path, device: str = "cpu") -> DeformSyncNet:
     other widths, a probe that no longer comes out.
     """
     run = Path(run)
+    check_device(device)
     config, frame = _read_config(run)
     space = network(config, frame)
     _load_weights(space, load_tensors(run / "model.safetensors", run), config, run)
     _check_probe(space, load_tensors(run / "probe.safetensors", run), run)
-    return space.to(device).eval()
+    return space.requires_grad_(False).to(device).eval()
 
 
 def _check_probe(space: DeformSyncNet, probe: dict[str, Tensor], run: Path) -> None:
-    if set(probe) != {"x", "y", "deformed"}:
-        raise ValueError(f"load_run: {run}: probe.safetensors must hold x, y and deformed, got {', '.join(probe)}")
+    kinds = {name: (tensor.dtype, tensor.ndim, *tensor.shape[1:]) for name, tensor in probe.items()}
+    if kinds != dict.fromkeys(("x", "y", "deformed"), (torch.float32, 2, 3)):
+        raise ValueError(
+            f"load_run: {run}: probe.safetensors must hold x, y and deformed, clouds (n, 3) in float32, "
+            f"got {', '.join(probe)}; take the run from its source again"
+        )
     with torch.no_grad():
-        off = (space.deform(probe["x"], probe["y"]) - probe["deformed"]).abs().max().item()
+        again = space.act(probe["x"], space.encode(probe["y"]) - space.encode(probe["x"]))
+        off = (again - probe["deformed"]).abs().max().item() if len(probe["x"]) == len(probe["deformed"]) else np.inf
     if not off <= PROBE_TOLERANCE:
         raise ValueError(
             f"load_run: {run} must give its probe again within {PROBE_TOLERANCE:g}, it is off by {off:.2g}; "
@@ -65,7 +72,7 @@ def _check_probe(space: DeformSyncNet, probe: dict[str, Tensor], run: Path) -> N
 def save_tensors(tensors: dict[str, Tensor], path: Path) -> None:
     """Writes tensors beside `path`, then renames."""
     whole = {name: tensor.detach().cpu().contiguous() for name, tensor in tensors.items()}
-    beside(path, lambda part: save_file(whole, part))
+    beside(path, lambda part: part.write_bytes(save(whole)))  # save_file would let nobody else read it
 
 
 def load_tensors(path: Path, run: Path) -> dict[str, Tensor]:

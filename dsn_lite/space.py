@@ -5,6 +5,7 @@ A space says how a vector acts on a shape and which vector leads from one shape 
 
 from abc import ABC, abstractmethod
 from copy import deepcopy
+from itertools import chain
 
 import torch
 from jaxtyping import Float
@@ -13,7 +14,7 @@ from torch import Tensor, nn
 from .data import Frame
 from .dictionary import matrix, offsets
 from .networks import reset
-from .types import Dictionary, OtherPoints, Points, Vector
+from .types import Dictionary, OtherPoints, Points, Vector, check_clouds
 
 ALWAYS = frozenset({"self_vector_is_zero", "reversal_negates", "triangle_closes"})  # of any E(y) - E(x)
 
@@ -40,12 +41,17 @@ class ActionSpace(nn.Module, ABC):
         return reset(deepcopy(self), seed)
 
     def deform(self, x: Points, y: OtherPoints) -> Points:
-        """d(x -> y) = x (+) xy (Eq. 3)."""
+        """d(x -> y) = x (+) xy (Eq. 3). Raises TypeError or ValueError where x or y is not a finite cloud."""
+        check_clouds("deform", self._weight(), x=x, y=y)
         return self.act(x, self.vector(x, y))
 
     def transfer(self, x: Points, y: OtherPoints, z: Float[Tensor, "*#b q 3"]) -> Float[Tensor, "*#b q 3"]:
-        """z (+) xy: do to z what turned x into y."""
+        """z (+) xy: do to z what turned x into y. Raises TypeError or ValueError where one is not a finite cloud."""
+        check_clouds("transfer", self._weight(), x=x, y=y, z=z)
         return self.act(z, self.vector(x, y))
+
+    def _weight(self) -> Tensor | None:
+        return next(chain(self.parameters(), self.buffers()), None)
 
 
 class DoNothing(ActionSpace):
@@ -89,14 +95,25 @@ class LinearSpace(ActionSpace):
         return cls((n**0.5 * axes).mT.unflatten(0, (n, 3)))
 
     def act(self, x: Points, v: Vector) -> Points:
+        self._check_corresponding("act", x=x)
         return x + offsets(self.A, v)
 
     def vector(self, x: Points, y: Points) -> Vector:
+        self._check_corresponding("vector", x=x, y=y)
         return (y - x).flatten(-2) @ self.A_plus.mT
 
     def dictionary(self, x: Points) -> Dictionary:
         """The same A for every shape."""
         return self.A.expand(*x.shape[:-2], *self.A.shape)
+
+    def _check_corresponding(self, where: str, **clouds: Tensor) -> None:
+        check_clouds(where, self.A, **clouds)
+        for name, cloud in clouds.items():
+            if cloud.shape[-2] != self.A.shape[0]:
+                raise ValueError(
+                    f"{where}: {name} must have the {self.A.shape[0]} corresponding points of this LinearSpace, "
+                    f"got {cloud.shape[-2]}; use shapes sampled as those it was fitted to"
+                )
 
     def untrained(self, seed: int = 0) -> "LinearSpace":
         """A random dictionary of the same size, with columns of the same length."""
@@ -137,7 +154,14 @@ class DeformSyncNet(ActionSpace):
         self.frame = frame  # of the shapes it was trained on; None while untrained
 
     def act(self, x: Points, v: Vector) -> Points:
-        return x + offsets(self.dictionary(x), v)
+        check_clouds("act", self._weight(), x=x)
+        A = self.dictionary(x)
+        if v.shape[-1] != A.shape[-1]:
+            raise ValueError(
+                f"act: v must have the k = {A.shape[-1]} numbers of this space, got {v.shape[-1]}; see vector"
+            )
+        return x + offsets(A, v)
 
     def vector(self, x: Points, y: OtherPoints) -> Vector:
+        check_clouds("vector", self._weight(), x=x, y=y)
         return self.encode(y) - self.encode(x)

@@ -113,12 +113,14 @@ class Training:
         rng = np.random.default_rng((self.config.seed, self.step))
         i = rng.choice(len(self.points), self.config.batch, replace=False)
         j = np.roll(np.arange(len(i)), rng.integers(1, max(2, len(i))))  # nobody is paired with itself
-        x = self.points[i]
+        x = y = self.points[i]
+        if self.config.points < x.shape[1]:
+            x = x[:, rng.choice(x.shape[1], self.config.points, replace=False)]
         code = self.space.encode(x)
         deformed = x + offsets(self.space.dictionary(x), code[j] - code)
         kept = None if self.trees is None else [self.trees[index] for index in i[j]]
         self._stay_finite(deformed)
-        loss = losses.fitting(deformed, x[j], kept)
+        loss = losses.fitting(deformed, y[j], kept)
         if self.config.symmetry:
             loss = loss + self.config.symmetry * losses.symmetry(deformed, self.config.mirror)
         return loss
@@ -137,7 +139,7 @@ class Training:
             raise FloatingPointError(
                 f"train: the deformed points must stay finite, got NaN or infinity at step {self.step}; lower "
                 f"learning_rate (now {self.config.learning_rate:g})"
-                f"{f', the best weights are in {self.run}' if self.run else ''}"
+                f"{f', the best weights are in {self.run}' if self.run and self.history else ''}"
             )
 
     def _look(self, loss: float) -> Record:
@@ -146,13 +148,24 @@ class Training:
         if record.validation_cd < self.best_cd:
             self.best, self.best_cd = deepcopy(self.space.state_dict()), record.validation_cd
         if self.run:
-            clock = {"step": self.step, "seconds": self.seconds, "best_cd": self.best_cd}
+            clock = {"step": self.step, "seconds": self.seconds, "best_cd": self.best_cd, **self._origin}
             save_checkpoint(self.run, self.space, self.best, self.optimizer, clock)
             save_history(self.run, map(asdict, self.history))
         return record
 
+    @property
+    def _origin(self) -> dict[str, int | float]:
+        """Numbers that tell whether two trainings see the same shapes in the same way."""
+        rms = self.config.columns == "rms"
+        return {"seed": self.config.seed, "rms": int(rms), "shapes": self.points.double().sum().item()}
+
     def _resume(self) -> None:
         self.best, clock = load_checkpoint(self.run, self.space, self.optimizer)
+        if any(clock[name] != value for name, value in self._origin.items()):
+            raise ValueError(
+                f"train: the checkpoint in {self.run} must be of these shapes, with this seed, it is of others; "
+                "resume with the file and the Config it began with"
+            )
         self.step, self.seconds, self.best_cd = int(clock["step"]), clock["seconds"], clock["best_cd"]
         self.history = [Record(**line) for line in load_history(self.run)]
 
@@ -188,9 +201,9 @@ def train(
                 watch(training, record)
     except KeyboardInterrupt:
         bar.write(f"Stopped at step {training.step}; the best weights so far are kept.")
-    finally:  # also where a training went wrong: the run folder then holds the best weights before it did
+    finally:  # also where a training went wrong: the run folder then holds the best weights before it did, if any
         bar.close()
         training.space.load_state_dict(training.best)
-        if run:
+        if run and training.history:
             save_run(training.space, config, run, training.validation.points[:2])
-    return training.space
+    return training.space.requires_grad_(False).eval()

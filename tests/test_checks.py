@@ -5,7 +5,7 @@ import math
 import pytest
 import torch
 
-from dsn_lite import checks
+from dsn_lite import byhand, checks
 from dsn_lite.diagnosis import diagnose
 
 RIGHT = torch.randn(7, 3, generator=torch.Generator().manual_seed(0), dtype=torch.float64)
@@ -149,3 +149,29 @@ def test_solutions_must_be_right(monkeypatch, capsys):
         checks.function(lambda x: None, torch.abs, [(RIGHT,)], "f")
     checks.array(RIGHT, RIGHT, "A")
     assert capsys.readouterr().out == "Right: A.\n"
+
+
+# the laws of a reader's own space
+
+
+def judge(function, capsys):
+    space = byhand.OfDifference(function)
+    checks.laws(space, byhand.copies(6), "own", keeps=["reversal_negates"], breaks=["triangle_closes"])
+    return capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("function", "said"),
+    [
+        (torch.tanh, "Right: own."),
+        (lambda d: d, "it must break triangle_closes, but the residual is"),
+        (torch.abs, "it must keep reversal_negates, but the residual is"),
+        (..., "still open"),
+        (lambda d: d * float("nan"), "it must keep reversal_negates, but the residual is nan"),
+        (lambda d: 1 / 0, "it raises ZeroDivisionError"),
+        (lambda d: None, "it raises "),
+        (3, "it raises TypeError"),
+    ],
+)
+def test_laws_of_ones_own_space(function, said, capsys):
+    assert said in judge(function, capsys)

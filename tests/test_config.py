@@ -67,8 +67,29 @@ def test_the_network_is_that_of_the_configuration_and_its_seed():
     assert not torch.equal(network(replace(config, seed=1)).encode(x), space.encode(x))
 
 
-def test_a_device_that_is_not_there(monkeypatch):
-    monkeypatch.setattr(torch.cuda, "is_available", lambda: False)
+def test_a_device_that_is_not_there():
     shapes = Shapes(points=torch.zeros(10, 8, 3))
-    with pytest.raises(ValueError, match=r"train: device must be there, got 'cuda' and no GPU .*; use \"cpu\""):
-        Config(k=2, device="cuda").check(shapes)
+    with pytest.raises(ValueError, match=r"device: must be one that torch can use here, got 'abacus'; use \"cpu\""):
+        Config(k=2, device="abacus").check(shapes)
+
+
+def test_points_that_were_never_brought_to_a_scale():
+    shapes = Shapes(points=torch.full((10, 8, 3), 700.0))
+    with pytest.raises(ValueError, match=r"train: points .* must not lie beyond 10, got 700; scale all shapes alike"):
+        Config(k=2).check(shapes)
+
+
+@pytest.mark.parametrize(
+    ("told", "words"),
+    [
+        ({"symmetry": -1.0}, r"Config: symmetry must be a weight, 0 or more, got -1"),
+        ({"symmetry": float("nan")}, r"Config: symmetry must be a weight, 0 or more, got nan"),
+        ({"mirror": "q"}, r"Config: mirror must be \"x\", \"y\" or \"z\", got 'q'"),
+        ({"seed": -1}, r"Config: seed must be 0 or more, got -1"),
+        ({"points": 0}, r"Config: points must be more than 0, got 0"),
+        ({"head": (16, 0)}, r"each 1 or more, got .* and \(16, 0\)"),
+    ],
+)
+def test_what_a_config_refuses(told, words):
+    with pytest.raises(ValueError, match=words):
+        Config(**told)

@@ -162,3 +162,33 @@ def test_about_survives_as_json(tmp_path):
     shapes = Shapes(points=torch.zeros(2, 3, 3), about={"family": "stühle", "corresponds": True})
     save_shapes(shapes, tmp_path / "a.npz")
     assert load_shapes(tmp_path / "a.npz").about == shapes.about
+
+
+@pytest.mark.parametrize(
+    ("wrong", "words"),
+    [
+        ({"points": np.full((3, 4, 3), "a")}, r"points must be real numbers, got <U1"),
+        ({"points": np.zeros((3, 4, 3), complex)}, r"points must be real numbers, got complex128"),
+        ({"labels": np.zeros((3, 4))}, r"labels must be whole numbers, got float64"),
+        ({"boxes": np.zeros((3, 2, 7))}, r"boxes must go with 3 shapes of 4 points, got \(3, 2, 7\)"),
+        ({"parameters": np.full((3, 2), np.nan)}, r"parameters must be finite, got NaN or infinity"),
+        (
+            {"labels": np.zeros(4, int), "rest": np.zeros((3, 4, 3))},
+            r"labels and rest must both be shared by all shapes",
+        ),
+        ({"about": "[1, 2]"}, r"about must be a JSON object, got '\[1, 2\]'"),
+    ],
+)
+def test_a_file_that_breaks_the_contract(wrong, words, tmp_path):
+    path = tmp_path / "shapes.npz"
+    np.savez(path, **{"points": np.zeros((3, 4, 3)), **wrong})
+    with pytest.raises(ValueError, match=words):
+        load_shapes(path)
+
+
+def test_shapes_with_nan_are_not_written(tmp_path):
+    with pytest.raises(ValueError, match=r"points must be finite, shape 0 holds NaN"):
+        save_shapes(Shapes(points=torch.full((2, 4, 3), float("nan"))), tmp_path / "deep" / "shapes.npz")
+    assert not (tmp_path / "deep").exists()
+    save_shapes(Shapes(points=torch.zeros(2, 4, 3)), tmp_path / "deep" / "shapes.npz")
+    assert len(load_shapes(tmp_path / "deep" / "shapes.npz")) == 2

@@ -123,8 +123,24 @@ def test_a_changed_probe(change, tmp_path):
 def test_a_probe_of_something_else(tmp_path):
     written(tmp_path)
     save_file({"x": torch.zeros(4, 3)}, tmp_path / "probe.safetensors")
-    with pytest.raises(ValueError, match=r"probe\.safetensors must hold x, y and deformed, got x"):
+    with pytest.raises(ValueError, match=r"probe\.safetensors must hold x, y and deformed, clouds .*, got x; take"):
         load_run(tmp_path)
+
+
+def test_a_probe_of_another_layout_or_precision(tmp_path):
+    written(tmp_path)
+    probe = load_file(tmp_path / "probe.safetensors")
+    for change in (lambda cloud: cloud.double(), lambda cloud: cloud.mT.contiguous()):
+        save_file({name: change(cloud) for name, cloud in probe.items()}, tmp_path / "probe.safetensors")
+        with pytest.raises(ValueError, match=r"must hold x, y and deformed, clouds \(n, 3\) in float32"):
+            load_run(tmp_path)
+
+
+def test_a_run_of_the_zoo_can_be_read_by_others(tmp_path):
+    written(tmp_path)
+    beside = tmp_path / "beside"
+    beside.write_bytes(b"")
+    assert (tmp_path / "model.safetensors").stat().st_mode == beside.stat().st_mode
 
 
 def test_a_crash_while_writing_leaves_the_old_file_and_nothing_beside_it(tmp_path):

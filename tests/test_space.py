@@ -18,8 +18,9 @@ from worlds import (
 )
 
 from dsn_lite.byhand import translations
+from dsn_lite.config import Config, network
 from dsn_lite.dictionary import column_rms, coordinates, matrix, offsets
-from dsn_lite.space import DoNothing, LinearSpace
+from dsn_lite.space import DeformSyncNet, DoNothing, LinearSpace
 
 
 def test_the_smallest_space_by_hand():
@@ -139,3 +140,43 @@ def test_fit_refuses_what_is_not_a_stack_of_clouds(shape):
 def test_fit_refuses_more_axes_than_there_can_be(k):
     with pytest.raises(ValueError, match=rf"k must be between 1 and the smaller of N = 4 and 3n = 6, got {k}; lower k"):
         LinearSpace.fit(randn(0, 4, 2, 3), k)
+
+
+# the public doors
+
+CLOUD = torch.rand(9, 3, generator=torch.Generator().manual_seed(0))
+NAN = CLOUD.clone().index_fill_(0, torch.tensor([4]), float("nan"))
+
+
+@pytest.mark.parametrize(
+    ("wrong", "error", "words"),
+    [
+        (CLOUD.mT, ValueError, r"must be \(\.\.\., n, 3\) points with n > 0, got \(3, 9\); transpose with \.mT"),
+        (CLOUD[:0], ValueError, r"must be \(\.\.\., n, 3\) points with n > 0, got \(0, 3\)"),
+        (NAN, ValueError, r"must be finite, got NaN or infinity; clean the points first"),
+        (CLOUD.double(), ValueError, r"must be torch.float32 as the weights, got torch.float64"),
+        (CLOUD.numpy(), TypeError, r"must be a tensor, got ndarray; use torch.as_tensor"),
+    ],
+)
+def test_clouds_that_are_none_are_refused_at_every_door(wrong, error, words):
+    space = network(Config(k=3))
+    doors = {
+        "deform: y": lambda: unchecked(DeformSyncNet.deform)(space, CLOUD, wrong),
+        "transfer: z": lambda: unchecked(DeformSyncNet.transfer)(space, CLOUD, CLOUD, wrong),
+        "vector: x": lambda: unchecked(DeformSyncNet.vector)(space, wrong, CLOUD),
+        "act: x": lambda: unchecked(DeformSyncNet.act)(space, wrong, torch.zeros(3)),
+    }
+    for door, enter in doors.items():
+        with pytest.raises(error, match=f"{door} {words}"):
+            enter()
+
+
+def test_a_vector_of_another_space_is_refused():
+    with pytest.raises(ValueError, match=r"act: v must have the k = 3 numbers of this space, got 4; see vector"):
+        network(Config(k=3)).act(CLOUD, torch.zeros(4))
+
+
+def test_a_linear_space_refuses_points_that_do_not_correspond():
+    space = LinearSpace.fit(torch.rand(5, 9, 3), 2)
+    with pytest.raises(ValueError, match=r"act: x must have the 9 corresponding points of this LinearSpace, got 8"):
+        space.act(CLOUD[:8], torch.zeros(2))

@@ -1,11 +1,13 @@
 import json
 from dataclasses import fields, replace
 from itertools import pairwise
+from pathlib import Path
 
 import pytest
 import torch
 from worlds import shapes_of
 
+from dsn_lite import losses
 from dsn_lite.config import Config
 from dsn_lite.data import triplets
 from dsn_lite.metrics import evaluate, transfer_error
@@ -71,6 +73,19 @@ def test_the_loss_is_fitting_plus_the_weight_times_symmetry():
     assert c - b == pytest.approx(b - a, rel=1e-4)
 
 
+def test_denser_clouds_are_sub_sampled_anew_in_each_step_and_their_targets_are_not(monkeypatch):
+    training, met = Training(shapes_of("box/one", 20, 64), replace(TINY, points=32)), []
+    measure = losses.fitting
+    monkeypatch.setattr(losses, "fitting", lambda x, y, trees: met.append((x.detach(), y)) or measure(x, y, trees))
+    training.loss(), training.loss()
+    training.step = 1
+    training.loss()
+    (first, target), (again, _), (later, _) = met
+    assert (first.shape, target.shape) == ((4, 32, 3), (4, 64, 3))
+    assert torch.equal(first, again)
+    assert not torch.equal(first, later)
+
+
 def test_nobody_is_paired_with_itself():
     """Then an untrained space, which never fits exactly, has a loss above that of pairs with themselves, which is 0."""
     two = Training(shapes, replace(TINY, batch=2))
@@ -131,11 +146,12 @@ def test_a_crash_while_writing_leaves_the_checkpoint_before_it(tmp_path, monkeyp
     train(shapes, TINY, out=tmp_path, watch=stop_at(5))
     before = (tmp_path / "checkpoint.safetensors").read_bytes()
 
-    def crash(tensors, path):
-        path.write_bytes(b"half a fi")
+    def crash(path, data):
+        with path.open("wb") as file:
+            file.write(data[:9])
         raise OSError("disk full")
 
-    monkeypatch.setattr("dsn_lite.runs.save_file", crash)
+    monkeypatch.setattr(Path, "write_bytes", crash)
     with pytest.raises(OSError, match=r"disk full"):
         train(shapes, TINY, out=tmp_path, resume=True)
     assert (tmp_path / "checkpoint.safetensors").read_bytes() == before

@@ -26,7 +26,10 @@ def collect(paths: Iterable[str | Path], points: int = 512, *, up: str = "auto",
     files = [Path(path) for path in paths]
     if not files:
         raise ValueError(f"collect: at least one mesh file is needed, got none; files end in .{', .'.join(READ)}")
-    boxes, clouds = zip(*(_standing(path, points, up, seed + i) for i, path in enumerate(tqdm(files))), strict=True)
+    if points < 2:
+        raise ValueError(f"collect: points must be at least 2, got {points}; 512 is a good start")
+    with tqdm(files, unit="mesh") as bar:
+        boxes, clouds = zip(*(_standing(path, points, up, seed + i) for i, path in enumerate(bar)), strict=True)
     sizes = np.array([np.ptp(box, axis=0).max() for box in boxes])
     if sizes.max() > UNLIKE * sizes.min():
         large, small = files[sizes.argmax()].name, files[sizes.argmin()].name

@@ -28,10 +28,11 @@ class Recipe:
 
 RECIPES = {
     "table_four_legs": Recipe(
-        "table/four_legs --count 2000 --points 512 --seed 0",
-        "--k 32 --steps 8000 --seed 0",
+        "table/four_legs --count 2000 --points 2048 --seed 0",
+        "--k 32 --steps 12000 --seed 0",
         "Tables unlike its own: round tops, crossed or tapered legs, drawers, shelves. It has seen parts only as boxes "
-        "parallel to the axes, so a leg that leans is moved as if it stood upright.",
+        "parallel to the axes, so a leg that leans is moved as if it stood upright. Tables from other sources come "
+        "only part of the way to their target: look at the result, and train on your own kind of thing.",
     ),
 }
 

@@ -90,6 +90,9 @@ plots.meshes([source, target, deformed], titles=["source", "target", "source, de
 meshes.save_mesh(deformed, folder / "deformed.glb")
 
 # %% [markdown]
+# Look closely at the upper ends of the legs. Where a leg meets the top, one place in space belongs to both parts, and a dictionary that is read point by
+# point has one answer for it: the leg cannot become thinner there while the top does not. In return no seam ever opens.
+#
 # Eight corners cannot bend a face. If your mesh is coarse, ask for smaller edges: a number is the longest edge allowed, as a share of the mesh's size.
 
 # %%
@@ -159,6 +162,7 @@ checks.number(cured, dsn_lite.chamfer(x, y), "cured")
 # ## What the paper does not say
 #
 # - How a mesh gets into and out of the network. The authors' code works on 2048 points only; evaluating $\mathcal{F}$ at other points than those it read is our reading of
-#   "every three rows of $A_x$ are predicted independently".
+#   Section 3.3, where every three rows of $A_x$ move one point independently of the others.
+# - That $\mathcal{F}$, read point by point, cannot tell two parts apart where they touch. With samples one hardly sees it; with meshes one does.
 # - With columns of unit *length*, as in the paper, the same points move less when more of them are given. Ours have unit root mean square, so a mesh of 80 vertices
 #   and one of 80 000 deform alike.
