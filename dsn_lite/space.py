@@ -85,6 +85,7 @@ class LinearSpace(ActionSpace):
         """
         if points.ndim != 3 or points.shape[-1] != 3:
             raise ValueError(f"LinearSpace.fit: points must be (N, n, 3), got {tuple(points.shape)}; stack the shapes")
+        check_clouds("LinearSpace.fit", points=points)
         N, n, _ = points.shape
         if not 1 <= k <= min(N, 3 * n):
             raise ValueError(

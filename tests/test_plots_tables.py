@@ -32,13 +32,9 @@ def test_meshes_are_drawn_in_their_own_colours():
     assert plots.alt(figure).startswith("2 meshes")
 
 
-def test_meshes_without_colours_are_grey_and_edges_add_wires():
-    box = trimesh.creation.box()
-    figure = plots.meshes([box], edges=True)
-    solid, wires = figure.data
+def test_meshes_without_colours_are_grey():
+    (solid,) = plots.meshes([trimesh.creation.box()]).data
     assert (solid.color, solid.facecolor) == ("#8A8A8A", None)
-    assert len(wires.x) == 5 * len(box.faces)
-    assert np.isnan(wires.x[4])
 
 
 def test_law_table_shows_zero_for_what_holds_to_rounding():

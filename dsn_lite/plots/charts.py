@@ -24,7 +24,7 @@ def curve(history: Sequence[Any], floor: float | None = None) -> go.Figure:
         at = {"x": 0, "xref": "paper", "xanchor": "left", "y": log10(floor), "yanchor": "top"}
         figure.add_annotation(text="sampling floor", showarrow=False, **at)
     figure.update_xaxes(title="seconds", gridcolor=LINES, zeroline=False, rangemode="tozero", linecolor=GREY)
-    figure.update_yaxes(type="log", title="Chamfer distance", gridcolor=LINES, exponentformat="power", dtick=1)
+    figure.update_yaxes(type="log", title="Chamfer distance", gridcolor=LINES, exponentformat="power", dtick="D2")
     figure.update_layout(legend=LEGEND, margin={"l": 90, "r": 20, "t": 60, "b": 70})
     last = f" The last validation is {history[-1].validation_cd:.2e}." if history else ""
     return dress(figure, f"Training loss and validation Chamfer distance against seconds.{last}", width=720, height=420)

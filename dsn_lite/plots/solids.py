@@ -7,7 +7,7 @@ import numpy as np
 import plotly.graph_objects as go
 
 from .inputs import titles_of
-from .look import BLACK, GREY
+from .look import GREY
 from .row import Row
 from .traces import LIGHT, scene
 
@@ -15,10 +15,8 @@ if TYPE_CHECKING:
     import trimesh
 
 
-def meshes(
-    several: "Sequence[trimesh.Trimesh | trimesh.Scene]", *, titles: Sequence[str] | None = None, edges: bool = False
-) -> go.Figure:
-    """Meshes or scenes side by side at one scale, in the colour of their material; `edges` draws the wires too."""
+def meshes(several: "Sequence[trimesh.Trimesh | trimesh.Scene]", *, titles: Sequence[str] | None = None) -> go.Figure:
+    """Meshes or scenes side by side at one scale, in the colour of their material."""
     from ..meshes.surface import parts, placed
 
     solids = [
@@ -27,8 +25,6 @@ def meshes(
     ]
     row = Row.of([np.concatenate([vertices for vertices, _, _ in solid]) for solid in solids])
     traces = [_solid(row, i, *part) for i, solid in enumerate(solids) for part in solid]
-    if edges:
-        traces += [_wires(row, i, vertices, faces) for i, solid in enumerate(solids) for vertices, faces, _ in solid]
     names = titles_of(titles, len(solids), "meshes")
     return scene(row, traces, names, f"{len(solids)} meshes in a row, at one scale: {', '.join(names)}.")
 
@@ -48,13 +44,3 @@ def _solid(row: Row, index: int, vertices: np.ndarray, faces: np.ndarray, colour
     i, j, k = np.ascontiguousarray(faces.T, dtype=np.int32)
     paint = {"color": colour} if isinstance(colour, str) else {"facecolor": colour}
     return go.Mesh3d(x=x, y=y, z=z, i=i, j=j, k=k, flatshading=True, lighting=LIGHT, hoverinfo="skip", **paint)
-
-
-def _wires(row: Row, index: int, vertices: np.ndarray, faces: np.ndarray) -> go.Scatter3d:
-    loops = vertices[faces[:, [0, 1, 2, 0]]]  # (f, 4, 3), a gap after each
-    x, y, z = (
-        np.pad(axis.reshape(-1, 4), ((0, 0), (0, 1)), constant_values=np.nan).ravel()
-        for axis in row.place(loops.reshape(-1, 3), index)
-    )
-    look = {"color": BLACK, "width": 1.5}
-    return go.Scatter3d(x=x, y=y, z=z, mode="lines", line=look, opacity=0.5, hoverinfo="skip", showlegend=False)

@@ -93,11 +93,12 @@ meshes.save_mesh(deformed, folder / "deformed.glb")
 # Look closely at the upper ends of the legs. Where a leg meets the top, one place in space belongs to both parts, and a dictionary that is read point by
 # point has one answer for it: the leg cannot become thinner there while the top does not. In return no seam ever opens.
 #
-# Eight corners cannot bend a face. If your mesh is coarse, ask for smaller edges: a number is the longest edge allowed, as a share of the mesh's size.
+# Eight corners cannot bend a face: what is wrong at one end of a leg is seen along all of it. Ask for smaller edges, and the leg is thin up to where it meets the
+# top. The number is the longest edge allowed, as a share of the mesh's size.
 
 # %%
 finer = meshes.deform(space, source, target, subdivide=0.05)
-plots.meshes([deformed, finer], titles=["vertices as they were", "subdivided"], edges=False)
+plots.meshes([deformed, finer], titles=["vertices as they were", "subdivided"])
 
 # %% [markdown]
 # The same without a notebook: `python -m dsn_lite deform table_four_legs SOURCE TARGET -o OUT`.
