@@ -6,7 +6,7 @@ import warnings
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 import tyro
 from tyro.conf import OmitArgPrefixes, Positional, arg
@@ -24,7 +24,6 @@ from .training import Record
 Run = Positional[Annotated[str, arg(metavar="RUN")]]
 File = Positional[Annotated[Path, arg(metavar="FILE")]]
 Out = Annotated[Path, arg(aliases=["-o"])]
-Up = tuple[Literal["auto", "y", "z"], ...]
 
 
 @dataclass(frozen=True)
@@ -33,6 +32,25 @@ class Settings(Config):
 
     def __post_init__(self) -> None:
         """Checked when it becomes a Config: tyro would frame the sentence."""
+
+
+@dataclass(frozen=True)
+class Carrying:
+    """How meshes are brought into the training box and deformed there."""
+
+    up: tuple[Literal["auto", "y", "z"], ...] = ("auto",)
+    """The axis that points up, for all meshes or for each in turn; auto goes by the format, then by the form."""
+    subdivide: float | None = None
+    """Split edges longer than this share of the longest extent first; 0.05 is a good start."""
+    seed: int = 0
+    """Seed of the points sampled on the meshes."""
+
+    def told(self) -> dict[str, Any]:
+        """As meshes.deform and meshes.transfer take it."""
+        return asdict(self) | {"up": self.up[0] if len(self.up) == 1 else self.up}
+
+
+CARRYING = Carrying()
 
 
 def train(file: File, /, *, out: Path, config: OmitArgPrefixes[Settings], resume: bool = False) -> None:
@@ -124,9 +142,7 @@ def deform(
     /,
     *,
     out: Out,
-    up: Up = ("auto",),
-    subdivide: float | None = None,
-    seed: int = 0,
+    how: OmitArgPrefixes[Carrying] = CARRYING,
 ) -> None:
     """Deform a mesh towards another one; its faces, colours, materials and UVs stay.
 
@@ -135,13 +151,11 @@ def deform(
         source: The mesh to deform (.glb, .gltf, .obj, .ply, .stl or .off).
         target: The mesh to come near to.
         out: The mesh to write (.glb, .obj, .ply or .stl).
-        up: The axis that points up, for both meshes or for each in turn; auto goes by the format, then by the form.
-        subdivide: Split edges longer than this share of the longest extent first; 0.05 is a good start.
-        seed: Seed of the points sampled on the meshes.
+        how: How meshes are brought into the training box.
     """
     from . import meshes  # trimesh loads slowly, and the other commands do without
 
-    _save(meshes.deform(_space(run), source, target, up=_ups(up), subdivide=subdivide, seed=seed), out)
+    _save(meshes.deform(_space(run), source, target, **how.told()), out)
 
 
 def transfer(
@@ -152,9 +166,7 @@ def transfer(
     /,
     *,
     out: Out,
-    up: Up = ("auto",),
-    subdivide: float | None = None,
-    seed: int = 0,
+    how: OmitArgPrefixes[Carrying] = CARRYING,
 ) -> None:
     """Do to the mesh Z what turns the mesh X into the mesh Y.
 
@@ -164,13 +176,11 @@ def transfer(
         y: The mesh after.
         z: The mesh to change.
         out: The mesh to write (.glb, .obj, .ply or .stl).
-        up: The axis that points up, for all meshes or for each in turn; auto goes by the format, then by the form.
-        subdivide: Split edges longer than this share of the longest extent first; 0.05 is a good start.
-        seed: Seed of the points sampled on the meshes.
+        how: How meshes are brought into the training box.
     """
     from . import meshes
 
-    _save(meshes.transfer(_space(run), x, y, z, up=_ups(up), subdivide=subdivide, seed=seed), out)
+    _save(meshes.transfer(_space(run), x, y, z, **how.told()), out)
 
 
 def show_zoo(*, rebuild: str | None = None) -> None:
@@ -232,10 +242,6 @@ def _held_out(shapes: Shapes, run: str, all: bool) -> Shapes:
         return shapes
     about = json.loads((_folder(run) / "config.json").read_text(encoding="utf-8"))
     return shapes.split(Config.from_json(about["config"]).seed)[2]
-
-
-def _ups(up: Up) -> str | Up:
-    return up[0] if len(up) == 1 else up
 
 
 def _save(mesh: object, out: Path) -> None:

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 import torch
-from worlds import shapes_of
+from worlds import TINY, shapes_of, stop_at, weights
 
 from dsn_lite import losses
 from dsn_lite.config import Config
@@ -14,22 +14,7 @@ from dsn_lite.metrics import evaluate, transfer_error
 from dsn_lite.runs import load_run
 from dsn_lite.training import Record, Training, train
 
-TINY = Config(k=3, batch=4, steps=30, features=(8, 16, 32), head=(16,))
 shapes = shapes_of("box/one", 20, 32)
-
-
-def weights(space):
-    return torch.cat([value.flatten() for value in space.state_dict().values()])
-
-
-def stop_at(look):
-    """A watch that presses Ctrl-C at one of the looks."""
-
-    def watch(training, record):
-        if len(training.history) == look:
-            raise KeyboardInterrupt
-
-    return watch
 
 
 # what is trained

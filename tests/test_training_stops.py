@@ -5,28 +5,12 @@ from dataclasses import replace
 
 import pytest
 import torch
-from worlds import shapes_of
+from worlds import TINY, shapes_of, stop_at, weights
 
-from dsn_lite.config import Config
 from dsn_lite.runs import load_run
 from dsn_lite.training import Training, train
 
-TINY = Config(k=3, batch=4, steps=30, features=(8, 16, 32), head=(16,))
 shapes = shapes_of("box/one", 20, 32)
-
-
-def weights(space):
-    return torch.cat([value.flatten() for value in space.state_dict().values()])
-
-
-def stop_at(look):
-    """A watch that presses Ctrl-C at one of the looks."""
-
-    def watch(training, record):
-        if len(training.history) == look:
-            raise KeyboardInterrupt
-
-    return watch
 
 
 # stopping and resuming

@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 from torch import nn
 
 import data_gen
+from dsn_lite.config import Config
 from dsn_lite.data import Shapes
 from dsn_lite.files import as_shapes
 from dsn_lite.networks import DictionaryPredictor, Encoder, perceptron, reset
@@ -73,3 +74,20 @@ def autoencoder(n=7, seed=0):
 def shapes_of(family="box/one", count=12, points=64, *, seed=0, **choices) -> Shapes:
     """Generated shapes, as the library sees them."""
     return as_shapes(data_gen.generate(family, count=count, points=points, seed=seed, **choices))
+
+
+TINY = Config(k=3, batch=4, steps=30, features=(8, 16, 32), head=(16,))
+
+
+def weights(space):
+    return torch.cat([value.flatten() for value in space.state_dict().values()])
+
+
+def stop_at(look):
+    """A watch that presses Ctrl-C at one of the looks."""
+
+    def watch(training, record):
+        if len(training.history) == look:
+            raise KeyboardInterrupt
+
+    return watch
