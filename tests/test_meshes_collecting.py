@@ -62,3 +62,13 @@ def test_refusals(tmp_path):
     trimesh.creation.box((1000, 1000, 1000)).export(tmp_path / "millimetres.ply")
     with pytest.raises(ValueError, match=r"files must be in one unit, millimetres.ply is 1000 times metres.ply"):
         meshes.collect(meshes.folder(tmp_path))
+
+
+def test_all_files_that_cannot_be_used_are_named_at_once(tables):
+    folder, _ = tables
+    (folder / "broken.glb").write_bytes(b"no mesh")
+    (folder / "empty.obj").write_text("", encoding="utf-8")
+    with pytest.raises(ValueError, match=r"collect: every file must be a mesh, 2 of 5 are none") as caught:
+        meshes.collect(meshes.folder(folder))
+    assert "broken.glb" in str(caught.value)
+    assert "empty.obj" in str(caught.value)

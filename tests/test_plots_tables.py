@@ -33,7 +33,7 @@ def test_meshes_are_drawn_in_their_own_colours():
 
 
 def test_meshes_without_colours_are_grey():
-    (solid,) = plots.meshes([trimesh.creation.box()]).data
+    (solid,) = plots.meshes(trimesh.creation.box()).data
     assert (solid.color, solid.facecolor) == ("#8A8A8A", None)
 
 

@@ -28,8 +28,9 @@ def collect(paths: Iterable[str | Path], points: int = 512, *, up: str = "auto",
         raise ValueError(f"collect: at least one mesh file is needed, got none; files end in .{', .'.join(READ)}")
     if points < 2:
         raise ValueError(f"collect: points must be at least 2, got {points}; 512 is a good start")
-    with tqdm(files, unit="mesh") as bar:
-        boxes, clouds = zip(*(_standing(path, points, up, seed + i) for i, path in enumerate(bar)), strict=True)
+    if up not in ("auto", *UPRIGHT):
+        raise ValueError(f'collect: up must be "auto", "y" or "z", got {up!r}; try "auto"')
+    boxes, clouds = zip(*_standing_all(files, points, up, seed), strict=True)
     sizes = np.array([np.ptp(box, axis=0).max() for box in boxes])
     if sizes.max() > UNLIKE * sizes.min():
         large, small = files[sizes.argmax()].name, files[sizes.argmin()].name
@@ -51,10 +52,25 @@ def folder(path: str | Path) -> list[Path]:
     return sorted(file for file in path.rglob("*") if file.suffix.lower().lstrip(".") in READ)
 
 
+def _standing_all(files: list[Path], n: int, up: str, seed: int) -> list[tuple]:
+    """What `_standing` gives for each file; the files that cannot be used are all named at once."""
+    found, problems = [], []
+    for i, path in enumerate(tqdm(files, unit="mesh")):
+        try:
+            found.append(_standing(path, n, up, seed + i))
+        except (ValueError, OSError) as problem:
+            problems.append(f"  {problem}")
+    if problems:
+        listed = "\n".join(problems)
+        raise ValueError(
+            f"collect: every file must be a mesh, {len(problems)} of {len(files)} are none; "
+            f"mend them or move them away:\n{listed}"
+        )
+    return found
+
+
 def _standing(path: Path, n: int, up: str, seed: int) -> tuple[Float[np.ndarray, "2 3"], Float[np.ndarray, "n 3"]]:
     """The box of a mesh and samples of it, upright, on the floor y = 0 and centred in x and z."""
-    if up not in ("auto", *UPRIGHT):
-        raise ValueError(f'collect: up must be "auto", "y" or "z", got {up!r}; try "auto"')
     mesh = load_mesh(path)
     cloud = sample(mesh, n, seed)
     if up == "auto":

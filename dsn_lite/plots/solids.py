@@ -15,10 +15,15 @@ if TYPE_CHECKING:
     import trimesh
 
 
-def meshes(several: "Sequence[trimesh.Trimesh | trimesh.Scene]", *, titles: Sequence[str] | None = None) -> go.Figure:
-    """Meshes or scenes side by side at one scale, in the colour of their material."""
+def meshes(
+    several: "trimesh.Trimesh | trimesh.Scene | Sequence[trimesh.Trimesh | trimesh.Scene]",
+    *,
+    titles: Sequence[str] | None = None,
+) -> go.Figure:
+    """One mesh or scene, or several side by side at one scale, in the colour of their material."""
     from ..meshes.surface import parts, placed
 
+    several = list(several) if isinstance(several, Sequence) else [several]
     solids = [
         [(placed(g.vertices, matrix), np.asarray(g.faces), _colour(g)) for g, matrix in parts(each).values()]
         for each in several
