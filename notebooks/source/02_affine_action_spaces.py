@@ -136,7 +136,7 @@ axioms.triangle_closes(space, x, y, z)
 # Proof: if $\overrightarrow{xy} = \overrightarrow{zw}$ then $\overrightarrow{yw} = \overrightarrow{yx} + \overrightarrow{xz} + \overrightarrow{zw} = \overrightarrow{xz}$, by the two laws before.
 
 # %%
-w, w_too = space.transfer(x, y, z), space.transfer(x, z, y)
+w = space.transfer(x, y, z)
 plots.together([x, y, z, w], faces=[[0, 1, 2]], titles=["x", "y", "z", "z ⊕ xy"])
 
 # %%
