@@ -117,11 +117,11 @@ class Report:
         return next(row.residual for row in self.rows if row.law == law)
 
     def __str__(self) -> str:
-        head = f"{'law':<21} {'statement':<30} {'holds by':<13} {'residual':>9} {'untrained':>9} {'do nothing':>10}"
+        head = f"{'law':<21} {'statement':<31} {'holds by':<13} {'residual':>9} {'untrained':>9} {'do nothing':>10}"
         lines = [head, "-" * len(head)]
         for row in self.rows:
             numbers = f"{row.residual:9.2e} {row.untrained:9.2e} {row.do_nothing:10.2e}"
-            lines.append(f"{row.law:<21} {row.statement:<30} {row.kind:<13} {numbers}")
+            lines.append(f"{row.law:<21} {row.statement:<31} {row.kind:<13} {numbers}")
         return "\n".join([*lines, *self.notes])
 
     def _repr_html_(self) -> str:
