@@ -1,6 +1,5 @@
 """The command line: python -m dsn_lite collect | train | evaluate | axioms | deform | transfer | zoo | build."""
 
-import json
 import sys
 import warnings
 from collections.abc import Sequence
@@ -17,7 +16,7 @@ from . import train as training
 from .config import Config
 from .data import Shapes
 from .files import load_shapes, save_shapes
-from .runs import load_run
+from .runs import load_run, read_config
 from .space import DeformSyncNet
 from .training import Record
 
@@ -240,8 +239,8 @@ def _held_out(shapes: Shapes, run: str, all: bool) -> Shapes:
     """The shapes that a run with this seed did not see."""
     if all:
         return shapes
-    about = json.loads((_folder(run) / "config.json").read_text(encoding="utf-8"))
-    return shapes.split(Config.from_json(about["config"]).seed)[2]
+    config, _ = read_config(_folder(run))
+    return shapes.split(config.seed)[2]
 
 
 def _save(mesh: object, out: Path) -> None:

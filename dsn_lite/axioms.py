@@ -145,7 +145,8 @@ def report(space: ActionSpace, shapes: Any, *, triplets_drawn: int = 64, seed: i
     `shapes` is a collection or a plain array (N, n, 3). Raises ValueError where there are fewer than three shapes.
     """
     drawn = triplets(as_shapes(shapes).like(space), triplets_drawn, seed)
-    scores = [residuals(each, *drawn) for each in (space, space.untrained(seed), DoNothing())]
+    random = space.untrained(seed)
+    scores = [residuals(each, *drawn) for each in (space, random, DoNothing())]
     rows = tuple(
         Row(law, statement, "construction" if law in space.by_construction else "learning", *(s[law] for s in scores))
         for law, statement in LAWS.items()
@@ -154,7 +155,7 @@ def report(space: ActionSpace, shapes: Any, *, triplets_drawn: int = 64, seed: i
     k, smallest = (None, None) if A is None else (A.shape[-1], int(rank(A).min()))
     spread = scores[2]["target_is_reached"]
     x, y = drawn[0].points, drawn[1].points
-    moved, unmoved = (moved_by(each, x, each.vector(x, y)) for each in (space, space.untrained(seed)))
+    moved, unmoved = (moved_by(each, x, each.vector(x, y)) for each in (space, random))
     lengths = (
         f"Residuals are rms lengths. Two of these shapes are {spread:.2g} apart; a vector xy moves x by {moved:.2g}, "
         f"in the untrained space by {unmoved:.2g}. Who moves nothing adds up perfectly."

@@ -8,8 +8,9 @@ left out. A cell's id is its lesson and its place, so the same source gives the 
 
 import ast
 import json
-import os
 from pathlib import Path
+
+from .files import beside
 
 SOLUTION = "# solution"
 STUB = "...  # your code here"
@@ -23,7 +24,8 @@ def build_student(root: Path) -> list[Path]:
     """Write the student notebooks of all lessons under `root`; returns those that changed."""
     changed = outdated(root)
     for path in changed:
-        _replace(path, student(source_of(path)))
+        text = student(source_of(path))
+        beside(path, lambda part, text=text: part.write_text(text, encoding="utf-8", newline="\n"))
     return changed
 
 
@@ -107,9 +109,3 @@ def _cell(cell: dict) -> dict:
     tags = {"tags": _tags(cell)} if _tags(cell) else {}
     code = {"execution_count": None, "outputs": []} if cell["cell_type"] == "code" else {}
     return bare | {"metadata": tags, "source": bare["source"].splitlines(keepends=True)} | code
-
-
-def _replace(path: Path, text: str) -> None:
-    beside = path.with_suffix(".part")
-    beside.write_text(text, encoding="utf-8", newline="\n")
-    os.replace(beside, path)

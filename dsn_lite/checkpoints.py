@@ -8,7 +8,8 @@ from typing import Any
 import torch
 from torch import Tensor, nn
 
-from .runs import beside, load_tensors, save_tensors
+from .files import beside
+from .runs import load_tensors, save_tensors
 
 FILE, HISTORY = "checkpoint.safetensors", "history.jsonl"
 MOMENTS = ("step", "exp_avg", "exp_avg_sq")

@@ -1,6 +1,7 @@
 """Sample files in and out: the format of data_gen (one .npz), of which only `points` is required."""
 
 import json
+from collections.abc import Callable
 from dataclasses import fields
 from pathlib import Path
 from typing import Any
@@ -56,14 +57,24 @@ def save_shapes(shapes: Any, path: str | Path) -> None:
     shapes, path = as_shapes(shapes), Path(path)
     arrays = {f.name: getattr(shapes, f.name) for f in fields(Shapes)}
     arrays["about"] = json.dumps(shapes.about)
+    stored = {name: _stored(value) for name, value in arrays.items() if _known(value)}
     path.parent.mkdir(parents=True, exist_ok=True)
-    beside = path.with_name(path.name + ".part")
+    beside(path, lambda part: _write(part, stored))
+
+
+def beside(path: Path, write: Callable[[Path], Any]) -> None:
+    """Calls `write` on a neighbouring path, then renames it to `path`."""
+    part = path.with_name(path.name + ".part")
     try:
-        with open(beside, "wb") as file:
-            np.savez(file, **{name: _stored(value) for name, value in arrays.items() if _known(value)})
-        beside.replace(path)
+        write(part)
+        part.replace(path)
     finally:
-        beside.unlink(missing_ok=True)
+        part.unlink(missing_ok=True)
+
+
+def _write(part: Path, arrays: dict[str, np.ndarray]) -> None:
+    with part.open("wb") as file:  # given a path instead, np.savez would append .npz to it
+        np.savez(file, **arrays)
 
 
 def _stored(value: Any) -> np.ndarray:

@@ -5,7 +5,6 @@ Files are written beside and then renamed, so a machine that stops leaves the ol
 """
 
 import json
-from collections.abc import Callable
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
@@ -19,6 +18,7 @@ from torch import Tensor
 
 from .config import Config, check_device, network
 from .data import Frame
+from .files import beside
 from .space import DeformSyncNet
 
 PROBE_TOLERANCE = 1e-4  # sums of float32 differ in their last digits between machines
@@ -45,7 +45,7 @@ def load_run(run: str | Path, device: str = "cpu") -> DeformSyncNet:
     """
     run = Path(run)
     check_device(device)
-    config, frame = _read_config(run)
+    config, frame = read_config(run)
     space = network(config, frame)
     _load_weights(space, load_tensors(run / "model.safetensors", run), config, run)
     _check_probe(space, load_tensors(run / "probe.safetensors", run), run)
@@ -85,17 +85,8 @@ def load_tensors(path: Path, run: Path) -> dict[str, Tensor]:
         raise ValueError(f"load_run: {path} must be a whole safetensors file ({trouble}); copy the run again") from None
 
 
-def beside(path: Path, write: Callable[[Path], Any]) -> None:
-    """Calls `write` on a neighbouring path, then renames it to `path`."""
-    part = path.with_name(path.name + ".part")
-    try:
-        write(part)
-        part.replace(path)
-    finally:
-        part.unlink(missing_ok=True)
-
-
-def _read_config(run: Path) -> tuple[Config, Frame]:
+def read_config(run: Path) -> tuple[Config, Frame]:
+    """What a run was told, and the frame of its shapes. Raises FileNotFoundError or ValueError in one sentence."""
     path = run / "config.json"
     if not path.is_file():
         raise FileNotFoundError(f"load_run: {run} must hold config.json, it does not; is it a run folder?")

@@ -10,6 +10,7 @@ import time
 from collections.abc import Callable, Iterator
 from copy import deepcopy
 from dataclasses import asdict, dataclass
+from functools import cached_property
 from math import cos, isclose, pi
 from pathlib import Path
 from typing import Any
@@ -153,7 +154,7 @@ class Training:
             save_history(self.run, map(asdict, self.history))
         return record
 
-    @property
+    @cached_property
     def _origin(self) -> dict[str, int | float]:
         """Numbers that tell whether two trainings see the same shapes in the same way."""
         sizes = self.points.double().square().mean((1, 2)).cpu()

@@ -8,7 +8,8 @@ from worlds import randn, shapes_of
 
 from dsn_lite.config import Config, network
 from dsn_lite.data import Frame
-from dsn_lite.runs import beside, load_run, save_run, save_tensors
+from dsn_lite.files import beside
+from dsn_lite.runs import load_run, save_run, save_tensors
 
 CONFIG = Config(k=3, features=(8, 16, 32), head=(12,), steps=1)
 

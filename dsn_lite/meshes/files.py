@@ -7,7 +7,7 @@ import numpy as np
 import trimesh
 from trimesh.visual import ColorVisuals, TextureVisuals
 
-from ..runs import beside
+from ..files import beside
 from .surface import Mesh, parts, triangles
 
 Y_UP = ("glb", "gltf")  # by specification; in other formats up is a habit

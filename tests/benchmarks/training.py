@@ -35,11 +35,11 @@ def run(tables: data_gen.Collection, again: dsn_lite.Shapes, config: dsn_lite.Co
     space = dsn_lite.train(tables, config, watch=lambda training, record: records.append(record))
     test, second = as_shapes(tables).split(config.seed)[2], again.split(config.seed)[2]
     spaces = {"trained": space, "untrained": network(config, Frame.of(test)), "do nothing": dsn_lite.DoNothing()}
-    rows = {name: numbers(evaluate(each, test, again=second)) for name, each in spaces.items()}
-    whole = evaluate(space, test, again=second)
+    results = {name: evaluate(each, test, again=second) for name, each in spaces.items()}
+    whole = results["trained"]
     exactly = f"true deformation scores {whole.exact_cd / whole.floor:.3f} x floor"
     print(f"seed {config.seed}: {records[-1].step} steps; floor {whole.floor:.3e}; {exactly}")
-    return rows
+    return {name: numbers(result) for name, result in results.items()}
 
 
 def main() -> None:
