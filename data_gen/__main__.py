@@ -1,4 +1,4 @@
-"""The command line: python -m data_gen list | generate | resample | show | mesh."""
+"""The command line: python -m data_gen list | show | sheet | generate | resample | mesh | paper."""
 
 import itertools
 import sys
@@ -7,80 +7,122 @@ from pathlib import Path
 from typing import Annotated, Literal
 
 import tyro
+from tqdm import tqdm
 from tyro.conf import Positional, UseAppendAction, arg
 
 import data_gen
-from data_gen.gallery import show as write_page
+from data_gen import catalogue, describe
+from data_gen.gallery import write_page
 from data_gen.meshes import save_mesh
 
 Family = Annotated[Positional[str], arg(metavar="FAMILY")]
-SET = arg(name="set", metavar="NAME=VALUE ...")
+Families = Annotated[Positional[tuple[str, ...]], arg(metavar="FAMILY|CATEGORY ...")]
+Values = Annotated[UseAppendAction[tuple[tuple[str, ...], ...]], arg(name="set", metavar="NAME=VALUE ...")]
+PIECE = 2**21
+"""Points made at a time where a collection is written in shards."""
 
 
-def list_families() -> None:
-    """Print every family with its parts, its parameters and their ranges."""
-    for name in data_gen.families():
-        rig = data_gen.family(name)
-        print(f"{name}  parts ({len(rig.part_names)}): {', '.join(rig.part_names)}")
-        for parameter in rig.parameters:
-            print(f"    {parameter.name:<16} {parameter.low:>5g} to {parameter.high:<5g} {parameter.meaning}")
+def list_families(names: Families = (), /) -> None:
+    """Print every family with its numbers of parts and parameters; of one family, all there is to know.
+
+    Args:
+        names: Families or categories; all if none is given.
+    """
+    for name in names or data_gen.categories():
+        one = name in data_gen.families()
+        print(describe.family(name) if one else "\n".join(map(describe.line, data_gen.families(name))))
 
 
 def generate(
-    family: Family,
+    families: Families,
     /,
     *,
     count: int,
     points: int,
-    out: Path,
+    out: Path | None = None,
+    shards: Path | None = None,
     seed: int = 0,
     sampling: Literal["fresh", "shared"] = "fresh",
+    values: Values = (),
+    noise: float = 0.0,
+    seen_from: tuple[float, float, float] | None = None,
 ) -> None:
-    """Make random shapes of a family and write a sample file.
+    """Make random shapes and write a sample file, or a folder of shards where they do not fit in memory.
 
     Args:
-        family: Name of the family, as `list` prints it.
+        families: Families, or categories for all their families; of several, each shape's is drawn at random.
         count: Number of shapes.
         points: Points on each shape.
         out: The sample file to write (.npz).
+        shards: The folder to write instead, made piece by piece and read lazily.
         seed: The same seed gives the same file.
         sampling: fresh draws new samples for each shape; shared draws them once, so that points correspond.
+        values: Parameters that all shapes share, as name=value; the others are random.
+        noise: Standard deviation of Gaussian noise on the points, in units of the shape's cube.
+        seen_from: Only points that are visible from this direction, as x y z: 0 0 1 looks at the front.
     """
-    data_gen.save(data_gen.generate(family, count=count, points=points, seed=seed, sampling=sampling), out)
-    print(f"{out}: {count} shapes of {points} points")
+    if (out is None) == (shards is None):
+        raise ValueError("generate: either --out or --shards must say where to write, got neither or both; give one")
+    fixed = {name: value for name, value in map(_assigned, itertools.chain(*values))}
+    size = max(1, PIECE // points) if shards else count
+    made = data_gen.pieces(families, count=count, points=points, seed=seed, sampling=sampling, fixed=fixed, size=size)
+    made = (_degraded(piece, noise, seen_from, seed + i) for i, piece in enumerate(made))
+    if out is not None:
+        data_gen.save(next(made), out)
+    else:
+        data_gen.save_shards(tqdm(made, total=-(-count // size), unit="piece"), shards)
+    print(f"{out or shards}: {count} shapes of {points} points")
 
 
-def resample(file: Annotated[Positional[Path], arg(metavar="FILE")], /, *, seed: int, out: Path) -> None:
+def resample(
+    file: Annotated[Positional[Path], arg(metavar="FILE")], /, *, seed: int, out: Path, points: int | None = None
+) -> None:
     """Write the shapes of a sample file again with new, independent samples.
 
     Args:
         file: A sample file written by `generate`.
         seed: Seed of the new samples.
         out: The sample file to write (.npz).
+        points: Points on each shape; as many as before by default.
     """
-    data_gen.save(data_gen.resample(data_gen.load(file), seed), out)
+    data_gen.save(data_gen.resample(data_gen.load(file), seed, points), out)
     print(f"{out}: the shapes of {file} with new samples")
 
 
 def show(family: Family, /, *, out: Path | None = None, seed: int = 0, open: bool = True) -> None:
-    """Write a page with twelve random shapes, and open it in the browser.
+    """Write the contact sheet of a family, twelve random shapes and the sweep of each parameter, and open it.
 
     Args:
         family: Name of the family, as `list` prints it.
-        out: The page to write (.html); by default the family's name in this folder.
+        out: The page to write (.html), and beside it the picture (.png); by default the family's name in this folder.
         seed: Seed of the shapes.
-        open: Whether to open the page.
+        open: Whether to open the page in the browser.
     """
-    out = Path(f"{family.replace('/', '_')}.html") if out is None else out
+    out = Path(f"{catalogue.file_name(family)}.html") if out is None else out
+    if out.suffix != ".html":
+        raise ValueError(f"show: --out must end in .html, got {out.name}; the picture is written beside it")
     write_page(family, out, seed)
+    catalogue.write_picture(family, out.with_suffix(".png"), seed)
     print(out)
+    print(out.with_suffix(".png"))
     if open:
         webbrowser.open(out.resolve().as_uri())
 
 
-def mesh(
-    family: Family, /, *, out: Path, values: Annotated[UseAppendAction[tuple[tuple[str, ...], ...]], SET] = ()
-) -> None:
+def sheet(names: Families = (), /, *, out: Path, seed: int = 0) -> None:
+    """Write the contact sheets of many families to a folder, with an index.html and one overview.png of them all.
+
+    Args:
+        names: Families or categories; all if none is given.
+        out: The folder, made if it is missing.
+        seed: Seed of the shapes.
+    """
+    names = catalogue.chosen(names)
+    catalogue.write_sheets(names, out, seed)
+    print(f"{out / 'index.html'}: {len(names)} families")
+
+
+def mesh(family: Family, /, *, out: Path, values: Values = ()) -> None:
     """Write one shape as a mesh with a colour for each part.
 
     Args:
@@ -90,24 +132,49 @@ def mesh(
     """
     rig = data_gen.family(family)
     parameters = dict(zip(rig.parameter_names, rig.middle[0], strict=True))
-    for value in itertools.chain(*values):
-        parameters.update([_assignment(rig, value)])
+    for name, value in map(_assigned, itertools.chain(*values)):
+        if name not in parameters:
+            names = ", ".join(parameters)
+            raise ValueError(f"mesh: --set must name a parameter of {family}, one of {names}, got {name!r}; see list")
+        parameters[name] = value
     save_mesh(data_gen.mesh(family, list(parameters.values())), out)
     print(out)
 
 
-def _assignment(rig, text):
+def paper(*, out: Path, only: str | None = None, lite: bool = False) -> None:
+    """Write the counterparts of the paper's data sets, and a data sheet that says what each stands in for.
+
+    Args:
+        out: The folder, made if it is missing.
+        only: One data set, such as poses/carton, or one group of them; all if none is given.
+        lite: A hundredth of the shapes, to look around.
+    """
+    data_gen.paper(out, only=only, lite=lite, progress=lambda sets: tqdm(sets, unit="file"))
+    print(f"{out / 'README.md'} says what is what")
+
+
+def _degraded(piece, noise, direction, seed):
+    piece = data_gen.seen_from(piece, direction, seed) if direction is not None else piece
+    return data_gen.noisy(piece, noise, seed) if noise else piece
+
+
+def _assigned(text):
     name, _, value = text.partition("=")
-    if name not in rig.parameter_names:
-        names = ", ".join(rig.parameter_names)
-        raise ValueError(f"mesh: --set must name a parameter of {rig.name}, one of {names}, got {name!r}; see list")
     try:
         return name, float(value)
     except ValueError:
-        raise ValueError(f"mesh: --set {name} must be a number, got {value!r}; write {name}=0.5") from None
+        raise ValueError(f"--set {name} must be a number, got {value!r}; write {name}=0.5") from None
 
 
-COMMANDS = {"list": list_families, "generate": generate, "resample": resample, "show": show, "mesh": mesh}
+COMMANDS = {
+    "list": list_families,
+    "show": show,
+    "sheet": sheet,
+    "generate": generate,
+    "resample": resample,
+    "mesh": mesh,
+    "paper": paper,
+}
 
 
 def main(args=None):

@@ -1,4 +1,4 @@
-"""Shapes as meshes: one watertight mesh a part, outward normals, UVs and a colour, kept in GLB, OBJ and PLY."""
+"""Shapes as meshes: watertight parts, outward normals, UVs and a colour, kept in GLB, OBJ and PLY."""
 
 from pathlib import Path
 
@@ -7,22 +7,18 @@ import trimesh
 from trimesh.visual import ColorVisuals, TextureVisuals
 from trimesh.visual.material import PBRMaterial
 
+from data_gen.colours import colours
 from data_gen.families import family as rig_of
 from data_gen.files import beside
-from data_gen.part import Box
-
-PALETTE = ("#0072b2", "#e69f00", "#009e73", "#cc79a7", "#56b4e9", "#d55e00", "#f0e442")
-"""Colours of parts by index, over again after seven: Okabe and Ito's, which colour-blind people tell apart."""
 
 
 def mesh(family, parameters):
     """A trimesh.Scene of the shape with parameters (p,), its parts by name. Raises ValueError for one out of range."""
     rig = rig_of(family)
     parameters = rig.check(np.asarray(parameters)[None], "mesh")
-    scene = trimesh.Scene()
-    for i, box in enumerate(rig.boxes(parameters)[0]):
-        name = rig.part_names[i]
-        scene.add_geometry(_part(name, box, PALETTE[i % len(PALETTE)]), node_name=name, geom_name=name)
+    vertices, scene = rig.vertices(parameters)[0], trimesh.Scene()
+    for i, (name, colour) in enumerate(zip(rig.part_names, colours(family), strict=True)):
+        scene.add_geometry(_part(rig, i, vertices, colour), node_name=name, geom_name=name)
     return scene
 
 
@@ -41,16 +37,12 @@ def save_mesh(scene, path):
             part.write_bytes(content)
 
 
-def _part(name, box, colour):
-    vertices, triangles, uv = Box.unit_mesh()
-    material = PBRMaterial(name=name, baseColorFactor=_rgba(colour), metallicFactor=0.0, roughnessFactor=0.8)
-    return trimesh.Trimesh(
-        vertices * box[12:] + box[:3], triangles, visual=TextureVisuals(uv=uv, material=material), process=False
-    )
-
-
-def _rgba(colour):
-    return [*bytes.fromhex(colour[1:]), 255]
+def _part(rig, i, vertices, colour):
+    own, triangles = rig.vertex_part == i, rig.triangles[rig.triangle_part == i]
+    name = rig.part_names[i]
+    material = PBRMaterial(name=name, baseColorFactor=[*colour.tolist(), 255], metallicFactor=0.0, roughnessFactor=0.8)
+    visual = TextureVisuals(uv=rig.uv[own], material=material)
+    return trimesh.Trimesh(vertices[own], triangles - triangles.min(), visual=visual, process=False)
 
 
 def _glb(scene, path):

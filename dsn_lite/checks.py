@@ -63,6 +63,17 @@ def function(
     _tell(name, problem)
 
 
+def accepted(answer: Any, judge: Callable[[Any], Sequence[str]], name: str) -> None:
+    """Checks an answer that can be right in many ways; `judge` returns what is wrong with it, in sentences."""
+    problem = unfinished(answer)
+    if problem is None:
+        try:
+            problem = next(iter(judge(answer)), None)
+        except Exception as error:  # whatever comes of a student's answer is the diagnosis
+            problem = _raised(error)
+    _tell(name, problem)
+
+
 def laws(space: ActionSpace, shapes: Shapes, name: str, *, keeps: Sequence[str], breaks: Sequence[str]) -> None:
     """Checks that a space of the reader's own keeps some laws of axioms.LAWS on these shapes and breaks others."""
     problem = unfinished(getattr(space, "function", None))
@@ -70,7 +81,7 @@ def laws(space: ActionSpace, shapes: Shapes, name: str, *, keeps: Sequence[str],
         try:
             problem = _laws_problem(residuals(space, *triplets(shapes, 32)), keeps, breaks)
         except Exception as error:  # whatever a student's function does is the diagnosis
-            problem = f"it raises {type(error).__name__} ({str(error).splitlines()[0][:120] if str(error) else ''})"
+            problem = _raised(error)
     _tell(name, problem)
 
 
@@ -86,7 +97,7 @@ def _try(answer, reference, arguments: tuple, hints: dict, factors, tolerance: f
     try:
         value = answer(*given)
     except Exception as error:  # whatever a student's function raises is the diagnosis
-        return f"it raises {type(error).__name__} ({str(error).splitlines()[0][:120] if str(error) else 'no message'})"
+        return _raised(error)
     if value is None:
         return "it returns None; end it with a return"
     if any(_changed(before, after) for before, after in zip(arguments, given, strict=True)):
@@ -94,6 +105,10 @@ def _try(answer, reference, arguments: tuple, hints: dict, factors, tolerance: f
     wrong = {sentence: each(*map(_copy, arguments)) for sentence, each in hints.items()}
     expected = reference(*map(_copy, arguments))
     return diagnose(value, expected, hints=wrong, factors=factors, tolerance=tolerance)
+
+
+def _raised(error: Exception) -> str:
+    return f"it raises {type(error).__name__} ({str(error).splitlines()[0][:120] if str(error) else 'no message'})"
 
 
 def _copy(value: Any) -> Any:

@@ -151,6 +151,24 @@ def test_solutions_must_be_right(monkeypatch, capsys):
     assert capsys.readouterr().out == "Right: A.\n"
 
 
+@pytest.mark.parametrize(
+    ("answer", "said"),
+    [
+        (2, "Right: even."),
+        (3, "Not yet, even: 3 is odd."),
+        (..., "still open"),
+        ("2", "it raises TypeError"),
+        (0, "first."),
+    ],
+)
+def test_a_judge_says_what_is_wrong(answer, said, capsys):
+    def judge(number):
+        return {0: ["first", "second"]}.get(number, [f"{number} is odd"] * (number % 2))
+
+    checks.accepted(answer, judge, "even")
+    assert said in capsys.readouterr().out
+
+
 # the laws of a reader's own space
 
 

@@ -7,9 +7,11 @@ from worlds import FAMILIES, near, randn, shapes_of
 
 import data_gen
 from data_gen.families import family as rig_of
+from data_gen.points import Samples
 from dsn_lite.data import Frame, Shapes, triplets, true_deformation, true_transfer
 from dsn_lite.files import as_shapes
 
+MIXED = ("table/four_legs", "table/shelf")
 both = pytest.mark.parametrize("sampling", ["fresh", "shared"])
 
 
@@ -31,11 +33,28 @@ def test_an_index_takes_everything_of_its_shapes(sampling):
     taken = shapes[index]
     assert len(taken) == 2
     assert taken.names == (shapes.names[4], shapes.names[1])
-    for name in ("points", "boxes", "parameters"):
-        assert torch.equal(getattr(taken, name)[1], getattr(shapes, name)[1])
-    rows = slice(None) if sampling == "shared" else index
-    assert torch.equal(taken.labels, shapes.labels[rows])
-    assert torch.equal(taken.rest, shapes.rest[rows])
+    for name in ("points", "boxes", "parameters", "joints"):
+        assert torch.equal(getattr(taken, name), getattr(shapes, name)[index])
+    for name in ("labels", "rest", "faces", "weights"):
+        assert torch.equal(getattr(taken, name), getattr(shapes, name)[slice(None) if sampling == "shared" else index])
+
+
+def test_an_index_takes_the_families_of_mixed_shapes():
+    shapes, index = shapes_of(MIXED, 8, 16), torch.tensor([3, 1])
+    assert torch.equal(shapes[index].families, shapes.families[index])
+
+
+def test_a_slice_copies_nothing():
+    shapes = shapes_of(count=6)
+    assert shapes[2:4].points.data_ptr() == shapes.points[2].data_ptr()
+
+
+def test_all_that_is_real_takes_the_precision_of_a_space():
+    shapes = shapes_of(MIXED, 4, 16).like(torch.nn.Linear(1, 1, dtype=torch.float64))
+    for name in ("points", "rest", "weights", "boxes", "parameters", "joints"):
+        assert getattr(shapes, name).dtype == torch.float64
+    for name in ("labels", "faces", "families"):
+        assert getattr(shapes, name).dtype == torch.int16
 
 
 @pytest.mark.parametrize(("N", "sizes"), [(200, (170, 10, 20)), (8, (5, 2, 1)), (4, (1, 2, 1))])
@@ -55,6 +74,40 @@ def test_three_shapes_cannot_be_split():
         shapes_of(count=3).split()
 
 
+def of_rows(N, split):
+    """N shapes whose points are their numbers, and the split that their file tells."""
+    return Shapes(points=torch.arange(N).float()[:, None, None].expand(N, 2, 3), about={"split": split})
+
+
+def test_a_split_that_the_file_tells_is_taken_whatever_the_seed():
+    rows = {"train": [3, 9], "validation": [0, 3], "test": [9, 10]}
+    for seed in (0, 1):
+        parts = of_rows(10, rows).split(seed)
+        assert [part.points[:, 0, 0].tolist() for part in parts] == [[3, 4, 5, 6, 7, 8], [0, 1, 2], [9]]
+    assert parts[0].about == {"split": None}
+    assert sorted(len(part) for part in parts[0].split()) == [1, 2, 3], "a part of them is shuffled anew"
+
+
+@pytest.mark.parametrize(
+    "split",
+    [
+        {"train": [0, 5], "validation": [5, 8]},
+        {"train": [0, 6], "validation": [5, 8], "test": [8, 10]},
+        {"train": [0, 5], "validation": [5, 8], "test": [8, 11]},
+        {"train": [0, 7], "validation": [7, 8], "test": [8, 10]},
+        {"train": [-2, 5], "validation": [5, 8], "test": [8, 10]},
+        {"train": "all", "validation": [5, 8], "test": [8, 10]},
+        [0.85, 0.05, 0.1],
+    ],
+)
+def test_a_split_that_is_none(split):
+    words = (
+        r"split: the file must give \[start, stop\] rows of its 10 shapes for train, .*, got .*; write the file again"
+    )
+    with pytest.raises(ValueError, match=words):
+        of_rows(10, split).split()
+
+
 # truth
 
 
@@ -65,15 +118,20 @@ def test_points_on_their_own_boxes_are_the_points(family, sampling):
     near(shapes.at_boxes(shapes.boxes), shapes.points)
 
 
+def samples_of(shapes):
+    """The triangles and weights of its points, as a rig takes them."""
+    return Samples(shapes.faces.numpy(), shapes.weights.numpy())
+
+
 @both
 @pytest.mark.parametrize("family", FAMILIES)
 def test_true_deformation_and_transfer_are_those_of_the_rig(family, sampling):
     rig, shapes = rig_of(family), shapes_of(family, 40, 16, sampling=sampling, dtype="float64")
     x, y, z = triplets(shapes, 10, with_truth=True)
-    deformed = rig.place(x.labels.numpy(), x.rest.numpy(), y.parameters.numpy())
+    deformed = rig.place(samples_of(x), y.parameters.numpy())
     near(true_deformation(x, y), torch.from_numpy(deformed))
     p_x, p_y, p_z = (each.parameters.numpy() for each in (x, y, z))
-    moved = rig.true_transfer(z.labels.numpy(), z.rest.numpy(), p_z, p_x, p_y)  # refuses what leaves a range
+    moved = rig.true_transfer(samples_of(z), p_z, p_x, p_y)  # refuses what leaves a range
     near(true_transfer(x, y, z), torch.from_numpy(moved))
 
 
@@ -93,6 +151,57 @@ def test_truth_is_unknown_where_a_point_has_no_part():
     assert not as_shapes(shapes.points).truth_is_known
     shapes.labels[1, 2] = -1
     assert not shapes.truth_is_known
+
+
+@both
+def test_shared_parts_of_which_each_shape_has_a_form_of_its_own(sampling):
+    shapes = shapes_of(count=3, sampling=sampling, dtype="float64")
+    labels, rest = shapes.labels.expand(3, -1), shapes.rest.expand(3, -1, -1)
+    for one in (replace(shapes, labels=labels[0], rest=rest), replace(shapes, labels=labels, rest=rest)):
+        near(one.at_boxes(one.boxes), shapes.points)
+        near(one[2].at_boxes(one.boxes[2:]), shapes.points[2:])
+
+
+UNKNOWN = {
+    "mixed": lambda: shapes_of(MIXED, 20, 16),
+    "turned": lambda: shapes_of("carton/two_flaps", 20, 16),
+    "points": lambda: as_shapes(shapes_of(count=20).points),
+}
+
+
+@pytest.mark.parametrize(
+    ("which", "said"), [("mixed", "2 families"), ("turned", "carton/two"), ("points", "an unknown family")]
+)
+def test_where_boxes_do_not_tell_the_truth_is_unknown_and_refused(which, said):
+    shapes = UNKNOWN[which]()
+    assert not shapes.truth_is_known
+    words = rf"shapes must be of one family whose parts keep their form, every point in a part, got {said}.*; take such"
+    with pytest.raises(ValueError, match=f"triplets: {words} a family, or ask data_gen.true_transfer"):
+        triplets(shapes, 3, with_truth=True)
+    x, y, z = triplets(shapes, 3)
+    with pytest.raises(ValueError, match=f"true_transfer: {words}"):
+        true_transfer(x, y, z)
+    with pytest.raises(ValueError, match=f"true_deformation: {words}"):
+        true_deformation(x, y)
+
+
+def test_two_families_of_equal_parts_have_no_true_deformation():
+    one, other = shapes_of("table/four_legs", 3, 16), shapes_of("table/four_legs", 3, 16)
+    near(true_deformation(one, one), one.points)
+    with pytest.raises(ValueError, match=r"true_deformation: shapes must be of one family .*, got table/else; take"):
+        true_deformation(one, replace(other, about={**other.about, "family": "table/else"}))
+
+
+def test_files_that_say_nothing_of_their_rigs_are_taken_at_their_boxes():
+    shapes = shapes_of(count=3)
+    assert replace(shapes, about={}).truth_is_known
+    near(true_deformation(*[replace(shapes, about={})] * 2), shapes.points)
+
+
+def test_only_shared_samples_of_one_family_correspond():
+    assert shapes_of(count=3, sampling="shared").corresponds
+    assert not shapes_of(count=3).corresponds
+    assert not shapes_of(MIXED, 5, 16, sampling="shared").corresponds
 
 
 @pytest.mark.parametrize("family", FAMILIES)

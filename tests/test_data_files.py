@@ -7,6 +7,7 @@ import pytest
 import torch
 from worlds import randn, shapes_of
 
+import data_gen
 from dsn_lite.data import Shapes
 from dsn_lite.files import as_shapes, load_shapes, save_shapes
 
@@ -17,12 +18,17 @@ def same(one, other):
     """Assert that two collections hold the same, bit for bit."""
     for f in fields(Shapes):
         a, b = getattr(one, f.name), getattr(other, f.name)
-        assert torch.equal(a, b) if isinstance(a, torch.Tensor) else a == b, f.name
+        if isinstance(a, torch.Tensor):
+            assert a.dtype == b.dtype
+            np.testing.assert_array_equal(a.numpy(), b.numpy(), err_msg=f.name)  # NaN is NaN
+        else:
+            assert a == b, f.name
 
 
 @both
-def test_what_is_saved_is_loaded(sampling, tmp_path):
-    shapes = shapes_of("table/shelf", 4, 32, sampling=sampling)
+@pytest.mark.parametrize("family", ["table/shelf", "carton/two_flaps", ("table/shelf", "carton/two_flaps")])
+def test_what_is_saved_is_loaded(family, sampling, tmp_path):
+    shapes = shapes_of(family, 4, 32, sampling=sampling)
     save_shapes(shapes, tmp_path / "some tables.npz")
     same(load_shapes(tmp_path / "some tables.npz"), shapes)
 
@@ -145,6 +151,10 @@ def test_a_list_of_clouds_of_mixed_sizes():
         ("rest", np.zeros((5, 4, 3))),
         ("boxes", np.zeros((3, 2, 15))),
         ("parameters", np.zeros((5, 2))),
+        ("joints", np.zeros((5, 0, 8))),
+        ("faces", np.zeros((4, 6), np.int16)),
+        ("weights", np.zeros((4, 2))),
+        ("families", np.zeros(5, np.int16)),
     ],
 )
 def test_truth_of_other_shapes(name, value, tmp_path):
@@ -171,11 +181,16 @@ def test_about_survives_as_json(tmp_path):
         ({"points": np.zeros((3, 4, 3), complex)}, r"points must be real numbers, got complex128"),
         ({"labels": np.zeros((3, 4))}, r"labels must be whole numbers, got float64"),
         ({"boxes": np.zeros((3, 2, 7))}, r"boxes must go with 3 shapes of 4 points, got \(3, 2, 7\)"),
-        ({"parameters": np.full((3, 2), np.nan)}, r"parameters must be finite, got NaN or infinity"),
         (
-            {"labels": np.zeros(4, int), "rest": np.zeros((3, 4, 3))},
-            r"labels and rest must both be shared by all shapes",
+            {"parameters": np.full((3, 2), np.nan)},
+            r"parameters must be finite, shape 0 holds NaN or infinity; clean or",
         ),
+        ({"rest": np.full((3, 4, 3), np.inf)}, r"rest must be finite, shape 0 holds NaN or infinity; clean or drop it"),
+        ({"joints": np.zeros((3, 2, 7))}, r"joints must go with 3 shapes of 4 points, got \(3, 2, 7\)"),
+        ({"faces": np.zeros((3, 4))}, r"faces must be whole numbers, got float64"),
+        ({"weights": np.zeros((3, 4, 3))}, r"weights must go with 3 shapes of 4 points, got \(3, 4, 3\)"),
+        ({"families": np.zeros((3, 1), int)}, r"families must go with 3 shapes of 4 points, got \(3, 1\)"),
+        ({"families": np.zeros(3, int)}, r"families must be rows of the 0 that about names, got 0; write it again"),
         ({"about": "[1, 2]"}, r"about must be a JSON object, got '\[1, 2\]'"),
     ],
 )
@@ -192,3 +207,86 @@ def test_shapes_with_nan_are_not_written(tmp_path):
     assert not (tmp_path / "deep").exists()
     save_shapes(Shapes(points=torch.zeros(2, 4, 3)), tmp_path / "deep" / "shapes.npz")
     assert len(load_shapes(tmp_path / "deep" / "shapes.npz")) == 2
+
+
+# folders
+
+
+@pytest.fixture
+def folder(tmp_path):
+    """A folder of shards of seven tables of two families."""
+    data_gen.save_shards(
+        data_gen.pieces(("table/four_legs", "table/shelf"), count=7, points=16, size=3), tmp_path / "a"
+    )
+    return tmp_path / "a"
+
+
+@both
+@pytest.mark.parametrize("family", ["table/shelf", "carton/two_flaps", ("table/shelf", "carton/two_flaps")])
+def test_a_folder_holds_the_same_shapes_as_a_file(family, sampling, tmp_path):
+    options = {"count": 7, "points": 16, "sampling": sampling}
+    data_gen.save_shards(data_gen.pieces(family, **options, size=3), tmp_path / "a")
+    read = load_shapes(tmp_path / "a")
+    same(read, as_shapes(data_gen.generate(family, **options)))
+    same(as_shapes(read), read)
+
+
+def test_a_folder_is_not_read_before_it_is_used_and_never_written_to(folder):
+    points = np.lib.format.open_memmap(folder / "points.npy", mode="r+")
+    points[2] = np.nan  # which would be refused by who reads it
+    points.flush()
+    shapes = load_shapes(folder)
+    assert shapes[:2].points.data_ptr() == shapes.points.data_ptr()
+    shapes.points[0] = 5
+    del points
+    assert np.load(folder / "points.npy")[0].max() < 1
+    with pytest.raises(
+        ValueError, match=r"as_shapes: points must be finite, shape 2 holds NaN or infinity; clean or drop"
+    ):
+        as_shapes(shapes)
+
+
+def test_a_collection_of_mapped_arrays_is_taken(folder):
+    same(as_shapes(data_gen.load(folder)), load_shapes(folder))
+
+
+def test_a_shape_far_back_that_is_not_finite_is_named():
+    points = np.zeros((2500, 2, 3), np.float32)
+    points[2222, 1, 2] = np.nan
+    with pytest.raises(ValueError, match=r"points must be finite, shape 2222 holds NaN or infinity; clean or drop it"):
+        as_shapes(points)
+
+
+def test_a_folder_of_something_else(tmp_path):
+    with pytest.raises(
+        ValueError, match=r"a folder must hold about.json, it holds none; write it with data_gen.save_sh"
+    ):
+        load_shapes(tmp_path)
+
+
+def test_a_folder_without_points(folder):
+    (folder / "about.json").write_text('{"arrays": ["labels"]}', encoding="utf-8")
+    with pytest.raises(ValueError, match=r"must hold an array named points \(N, n, 3\), it holds none"):
+        load_shapes(folder)
+
+
+@pytest.mark.parametrize(
+    ("text", "words"), [("a table", "must be JSON, got 'a table'"), ("[1]", "must be a JSON object")]
+)
+def test_a_folder_whose_about_is_none(folder, text, words):
+    (folder / "about.json").write_text(text, encoding="utf-8")
+    with pytest.raises(ValueError, match=f"about {words}"):
+        load_shapes(folder)
+
+
+def test_a_folder_that_lacks_an_array(folder):
+    (folder / "boxes.npy").unlink()
+    with pytest.raises(ValueError, match=r"must hold boxes.npy, it holds none; copy the folder again"):
+        load_shapes(folder)
+
+
+@pytest.mark.parametrize("kept", [0, 5, 100, -1])
+def test_a_folder_with_a_truncated_array(folder, kept):
+    (folder / "rest.npy").write_bytes((folder / "rest.npy").read_bytes()[:kept])
+    with pytest.raises(ValueError, match=r"rest.npy must be a whole array, got \(.*\); write it again"):
+        load_shapes(folder)

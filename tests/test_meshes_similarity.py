@@ -45,7 +45,7 @@ def test_z_up_is_turned_upright():
 
 
 def test_a_training_shape_of_mean_size_stays_where_it_is():
-    shapes = as_shapes(data_gen.generate("table/four_legs", count=50, points=64, seed=0))
+    shapes = as_shapes(data_gen.generate("table/four_legs", count=50, points=512, seed=0))
     frame, points = Frame.of(shapes), shapes.points
     longest = (points.amax(1) - points.amin(1)).amax(-1)
     usual = points[(longest - frame.size).abs().argmin()].double().numpy()

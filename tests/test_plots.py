@@ -118,6 +118,16 @@ def test_offsets_are_lines_from_x_to_x_plus_u(x):
     assert np.isnan(gap).all()
 
 
+def test_many_fields_stand_in_a_row_on_one_shape_or_on_as_many(x):
+    one, many = plots.offsets(x[0], x, titles=["a", "b", "c"]), plots.offsets(x, x, titles=["a", "b", "c"])
+    for figure, starts in ((one, x[[0, 0, 0]]), (many, x)):
+        for i in range(3):
+            start, end = (drawn(figure.data[3 * i + 1])[j::3] for j in range(2))
+            np.testing.assert_allclose(end - start, x[i].numpy(), atol=1e-6)
+            np.testing.assert_allclose(centred(start), centred(starts[i]), atol=1e-6)
+    assert "of 3 shapes: a, b, c;" in plots.alt(one)
+
+
 def test_modes_move_x_along_one_column_each(x):
     A = torch.randn(40, 3, 5, generator=torch.Generator().manual_seed(1))
     figure = plots.modes(x[0], A, columns=(4, 1), amount=0.2)
@@ -213,7 +223,8 @@ def test_what_does_not_fit_is_refused_in_a_sentence(x):
         "faces must be .* indices of the 40 points": lambda: plots.shapes(x[0], faces=[[0, 1, 40]]),
         "titles must be one for each of the 3 shapes": lambda: plots.shapes(x, titles=["a"]),
         "one shape .* is drawn here, got 3": lambda: plots.compare(x, x[0], x[0]),
-        "one row for each point of x": lambda: plots.offsets(x[0], x[0, :5]),
+        r"one row for each point of x, got \[5\] rows for \[40\] points": lambda: plots.offsets(x[0], x[0, :5]),
+        r"one row for each point of x, got \[40\] rows for \[40, 40\]": lambda: plots.offsets(x[:2], x[:1]),
         r"A must be \(n, 3, k\) for the 40 points": lambda: plots.modes(x[0], torch.ones(3, 3, 2)),
         r"columns must lie in 0 \.\.\. 1, got \(2,\)": lambda: plots.modes(x[0], torch.ones(40, 3, 2), columns=(2,)),
         "finite and not all 0": lambda: plots.spectrum([0.0, 0.0]),

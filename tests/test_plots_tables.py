@@ -1,4 +1,9 @@
+import re
+from base64 import b64decode
+from io import BytesIO
+
 import numpy as np
+import PIL.Image
 import pytest
 import trimesh
 
@@ -55,3 +60,22 @@ def test_bars_are_one_a_choice():
     figure = plots.bars({1: 0.5, 2: 0.25}, x="columns", y="distance")
     assert (list(figure.data[0].x), list(figure.data[0].y)) == (["1", "2"], [0.5, 0.25])
     assert plots.alt(figure) == "distance against columns: 1: 0.5, 2: 0.25"
+
+
+def test_lines_are_told_apart_without_colour():
+    figure = plots.lines({"measured": {1: 4.0, 10: 0.5}, "told": {1: 3.0, 10: 0.3}}, x="points", y="floor", log=True)
+    measured, told = figure.data
+    assert (list(measured.x), list(measured.y), told.name) == ([1, 10], [4.0, 0.5], "told")
+    assert measured.line.dash != told.line.dash
+    assert measured.marker.symbol != told.marker.symbol
+    assert (figure.layout.xaxis.type, figure.layout.yaxis.type) == ("log", "log")
+    assert plots.alt(figure) == "floor against points: measured goes from 4 to 0.5, told goes from 3 to 0.3."
+    assert plots.lines({"one": {1: 1.0}}, x="a", y="b").layout.xaxis.type == "linear"
+
+
+def test_a_picture_is_the_picture_with_its_words():
+    image = PIL.Image.new("RGB", (3, 2), "red")
+    shown = plots.picture(image, "a <red> square").data
+    assert 'alt="a &lt;red&gt; square"' in shown
+    data = b64decode(re.search('base64,([^"]+)', shown)[1])
+    assert PIL.Image.open(BytesIO(data)).getcolors() == [(6, (255, 0, 0))]

@@ -1,4 +1,4 @@
-"""The sample file: what is drawn, what is written, what is refused."""
+"""The sample file: what is written, what is read, what is refused."""
 
 import dataclasses
 import json
@@ -6,128 +6,29 @@ import zipfile
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from tables import arrays_differ, tables
 
 import data_gen
-from data_gen import draw
-from data_gen.part import Box
-from data_gen.points import blocks
 from data_gen.sample import KEYS
-
-SEEDS = st.integers(0, 2**32 - 1)
-
-
-def tables(**options):
-    return data_gen.generate("table/four_legs", **{"count": 3, "points": 16, **options})
-
-
-def arrays_differ(one, two):
-    return [
-        key
-        for key in KEYS
-        if key != "about" and not np.array_equal(getattr(one, key), getattr(two, key), equal_nan=key not in NAMED)
-    ]
-
-
-NAMED = ("parameter_names", "part_names", "names")
-
-
-@given(seed=SEEDS, points=st.integers(2, 60), count=st.integers(1, 5))
-def test_fresh_samples_equal_a_slow_loop(seed, points, count):
-    rig = data_gen.family("table/shelf")
-    parameters = rig.draw(count, np.random.default_rng(seed))
-    labels, rest = draw.fresh(rig, parameters, points, np.random.SeedSequence(seed))
-    which, u, v = (np.random.default_rng(s) for s in np.random.SeedSequence(seed).spawn(3))
-    for shape, box in enumerate(rig.boxes(parameters)):
-        x, y, z = box[:, 12], box[:, 13], box[:, 14]
-        faces = np.stack([2 * y * z, 2 * z * x, 2 * x * y], axis=1).ravel()
-        reached = (np.cumsum(faces) / faces.sum()).astype(np.float32)
-        for point in range(points):
-            patch = int(np.searchsorted(reached[:-1], which.random(dtype=np.float32), side="right"))
-            a, b = float(u.random(dtype=np.float32)), float(v.random(dtype=np.float32))
-            expected = np.roll([-0.5 if b < 0.5 else 0.5, a - 0.5, 2 * b % 1 - 0.5], patch % 3)
-            assert labels[shape, point] == patch // 3
-            np.testing.assert_array_equal(rest[shape, point], expected)
 
 
 @pytest.mark.parametrize("sampling", ["fresh", "shared"])
-def test_points_are_spread_by_area(sampling):
-    rig = data_gen.family("table/four_legs")
-    n = 40_000
-    shapes = data_gen.generate(rig.name, count=2, points=n, seed=1, sampling=sampling)
-    of = rig.middle if sampling == "shared" else shapes.parameters
-    for shape, areas in enumerate(Box.areas(rig.boxes(of)[:, :, 12:]).sum(-1)):
-        labels = shapes.labels if sampling == "shared" else shapes.labels[shape]
-        expected = n * areas / areas.sum()
-        assert (np.abs(np.bincount(labels, minlength=5) - expected) < 5 * np.sqrt(expected)).all()
+@pytest.mark.parametrize("rows", [2, slice(1, None), [2, 0], np.array([True, False, True])])
+def test_an_index_takes_everything_of_its_shapes(sampling, rows):
+    shapes = tables(sampling=sampling)
+    kept, taken = np.atleast_1d(np.arange(3)[rows]), shapes[rows]
+    assert len(taken) == len(kept)
+    assert taken.names == tuple(shapes.names[i] for i in kept)
+    for key in ("points", "boxes", "parameters", "joints"):
+        np.testing.assert_array_equal(getattr(taken, key), getattr(shapes, key)[kept])
+    for key in ("labels", "rest", "faces", "weights"):
+        whole = getattr(shapes, key)
+        np.testing.assert_array_equal(getattr(taken, key), whole if sampling == "shared" else whole[kept])
 
 
-def test_the_start_of_a_cloud_is_a_sample_of_the_whole():
-    labels = data_gen.generate("table/four_legs", count=50, points=1000).labels
-    first, last = np.bincount(labels[:, :500].ravel()), np.bincount(labels[:, 500:].ravel())
-    assert (np.abs(first - last) < 5 * np.sqrt(first + last)).all()
-
-
-def test_fresh_samples_are_independent_and_shared_ones_the_same():
-    fresh, shared = tables(points=500), tables(points=500, sampling="shared")
-    assert fresh.labels.shape == (3, 500)
-    assert not (fresh.rest[0] == fresh.rest[1]).all(axis=1).any()
-    assert shared.labels.shape == (500,)
-    assert shared.rest.shape == (500, 3)
-    assert fresh.about["corresponds"] is False
-    assert shared.about["corresponds"] is True
-
-
-def test_shapes_depend_neither_on_the_points_nor_on_the_sampling_nor_on_the_count():
-    one = tables(count=5)
-    for other in (tables(count=5, points=99), tables(count=5, sampling="shared"), tables(count=9, dtype="float64")):
-        np.testing.assert_array_equal(one.parameters, other.parameters[:5])
-    np.testing.assert_array_equal(one.points, tables(count=9).points[:5])
-
-
-def test_blocks_cover_everything_once():
-    for shapes, points in ((1, 2), (7, 2**15), (100, 1000), (5, 2**20)):
-        covered = np.concatenate([np.arange(shapes)[rows] for rows in blocks(shapes, points)])
-        np.testing.assert_array_equal(covered, np.arange(shapes))
-
-
-def test_block_size_changes_nothing(monkeypatch):
-    expected = tables(count=40)
-    one_by_one = lambda shapes, points: [slice(i, i + 1) for i in range(shapes)]
-    monkeypatch.setattr("data_gen.draw.blocks", one_by_one)
-    monkeypatch.setattr("data_gen.points.blocks", one_by_one)
-    assert not arrays_differ(expected, tables(count=40))
-
-
-@given(seed=SEEDS)
-def test_the_same_seed_gives_the_same_bytes_and_another_seed_others(tmp_path_factory, seed):
-    folder = tmp_path_factory.mktemp("bytes")
-    for name, used in (("one", seed), ("same", seed), ("other", seed + 1)):
-        data_gen.save(tables(seed=used), folder / f"{name}.npz")
-    one, same, other = ((folder / f"{name}.npz").read_bytes() for name in ("one", "same", "other"))
-    assert one == same
-    assert one != other
-    assert {"points", "labels", "rest", "boxes", "parameters"} <= {
-        *arrays_differ(tables(seed=seed), tables(seed=seed + 1))
-    }
-
-
-def test_resample_keeps_the_shapes_and_draws_new_points():
-    shapes = tables(count=4, points=300, seed=7)
-    again = data_gen.resample(shapes, 7)
-    assert {*arrays_differ(shapes, again)} == {"points", "labels", "rest"}
-    assert again.points.dtype == shapes.points.dtype
-    assert not np.isin(again.rest, shapes.rest[:, :, 1][np.abs(shapes.rest[:, :, 1]) < 0.5]).mean() > 0.01
-    assert arrays_differ(again, data_gen.resample(shapes, 8))
-    assert not arrays_differ(again, data_gen.resample(shapes, 7))
-
-
-def test_resample_of_a_plain_cloud_is_refused():
-    with pytest.raises(
-        ValueError, match=r"resample: a collection must hold its family and parameters, got points only"
-    ):
-        data_gen.resample(data_gen.Collection(np.zeros((1, 2, 3))), 0)
+def test_some_shapes_do_not_have_the_split_of_all():
+    shapes = dataclasses.replace(tables(), about={"split": {"train": [0, 3]}, "family": "table/four_legs"})
+    assert shapes[:2].about == {"split": None, "family": "table/four_legs"}
 
 
 @pytest.mark.parametrize("sampling", ["fresh", "shared"])
@@ -149,6 +50,8 @@ def test_the_file_holds_exactly_the_keys_shapes_and_types_of_the_contract(tmp_pa
         "points": ((3, 16, 3), "<f4"),
         "labels": ((3, 16), "<i2"),
         "rest": ((3, 16, 3), "<f4"),
+        "faces": ((3, 16), "<i2"),
+        "weights": ((3, 16, 2), "<f4"),
         "boxes": ((3, 5, 15), "<f4"),
         "parameters": ((3, 6), "<f4"),
         "joints": ((3, 0, 8), "<f4"),
@@ -168,14 +71,6 @@ def test_the_file_holds_nothing_of_the_time_and_place_it_was_written(tmp_path):
     assert marks == {((1980, 1, 1, 0, 0, 0), 3, 0o644)}
 
 
-def test_float64_keeps_full_precision_of_the_same_shapes():
-    single, double = tables(), tables(dtype="float64")
-    assert double.points.dtype == double.boxes.dtype == double.parameters.dtype == np.float64
-    np.testing.assert_array_equal(single.rest, double.rest)
-    np.testing.assert_allclose(single.points, double.points, atol=1.2e-7)
-    assert (double.points != double.points.astype(np.float32)).any()
-
-
 def test_a_file_with_only_points_is_a_collection(tmp_path):
     np.savez(tmp_path / "plain.npz", points=np.ones((2, 5, 3), np.float32), licence="CC0")
     plain = data_gen.load(tmp_path / "plain.npz")
@@ -186,7 +81,7 @@ def test_a_file_with_only_points_is_a_collection(tmp_path):
     np.testing.assert_array_equal(data_gen.load(tmp_path / "again.npz").points, plain.points)
 
 
-@pytest.mark.parametrize("key", [key for key in KEYS if key not in ("points", "about")])
+@pytest.mark.parametrize("key", [key for key in KEYS if key not in ("points", "families", "about")])
 def test_a_wrong_shape_is_refused_on_writing_and_reading(tmp_path, key):
     shapes = tables()
     value = getattr(shapes, key)
@@ -197,7 +92,8 @@ def test_a_wrong_shape_is_refused_on_writing_and_reading(tmp_path, key):
     with pytest.raises(ValueError, match=f"save: {blamed} must be .*, got .*; it has to fit the points"):
         data_gen.save(dataclasses.replace(shapes, **{key: wrong}), tmp_path / "a.npz")
     assert not list(tmp_path.iterdir()), "nothing half written"
-    np.savez(tmp_path / "b.npz", **{k: np.asarray(getattr(shapes, k)) for k in KEYS[:-1]} | {key: np.asarray(wrong)})
+    held = {k: np.asarray(getattr(shapes, k)) for k in KEYS if k not in ("families", "about")}
+    np.savez(tmp_path / "b.npz", **held | {key: np.asarray(wrong)})
     with pytest.raises(ValueError, match=f"load: b.npz: {blamed} must be"):
         data_gen.load(tmp_path / "b.npz")
 
@@ -230,10 +126,39 @@ def test_nan_elsewhere_is_refused(tmp_path, key):
         data_gen.save(dataclasses.replace(shapes, **{key: value}), tmp_path / "a.npz")
 
 
-@pytest.mark.parametrize("labels", [np.full(16, 5, np.int16), np.full(16, -2, np.int16), np.zeros(16)])
+@pytest.mark.parametrize("labels", [np.full(16, 5, np.int16), np.full(16, -2, np.int16)])
 def test_labels_that_are_no_parts_are_refused(tmp_path, labels):
-    with pytest.raises(ValueError, match=r"save: labels must be integers from -1 to 4, one a part, got .*; number"):
+    with pytest.raises(ValueError, match=r"save: labels must be from -1 to 4, one a part, got .*; number the parts"):
         data_gen.save(dataclasses.replace(tables(), labels=labels), tmp_path / "a.npz")
+
+
+@pytest.mark.parametrize(
+    ("key", "words"),
+    [("labels", "integers, got float32"), ("weights", "floats, got int64"), ("boxes", "floats, got <U1")],
+)
+def test_numbers_of_another_kind_are_refused(tmp_path, key, words):
+    kind = {"labels": np.float32, "weights": np.int64, "boxes": "U1"}[key]
+    wrong = dataclasses.replace(tables(), **{key: getattr(tables(), key).astype(kind)})
+    with pytest.raises(ValueError, match=f"save: {key} must be {words}; write the file with save"):
+        data_gen.save(wrong, tmp_path / "a.npz")
+
+
+@pytest.mark.parametrize("families", [np.array([0, 1, 2], np.int16), np.array([0, -1, 0], np.int16)])
+def test_families_that_about_does_not_name_are_refused(tmp_path, families):
+    about = {"families": ["table/four_legs", "table/shelf"]}
+    mixed = dataclasses.replace(tables(), families=families, about=about)
+    with pytest.raises(
+        ValueError, match=r"save: families must be rows of the 2 in about, got -?\d to \d; name them there"
+    ):
+        data_gen.save(mixed, tmp_path / "a.npz")
+
+
+def test_parameters_may_be_nan_only_where_families_are_mixed(tmp_path):
+    mixed = data_gen.generate(["table/four_legs", "table/shelf"], count=9, points=8)
+    assert np.isnan(mixed.parameters).any()
+    data_gen.save(mixed, tmp_path / "a.npz")
+    with pytest.raises(ValueError, match=r"save: parameters must be finite, got NaN or infinity in row \d; leave that"):
+        data_gen.save(dataclasses.replace(mixed, families=None), tmp_path / "a.npz")
 
 
 def test_points_of_no_part_are_kept(tmp_path):
@@ -299,7 +224,7 @@ def test_a_damaged_file_is_refused(tmp_path):
 def test_about_that_is_no_json_object_is_refused(tmp_path, about):
     np.savez(tmp_path / "a.npz", points=np.zeros((2, 5, 3)), about=about)
     with pytest.raises(
-        ValueError, match=r"load: a.npz must hold a JSON object in about, got .*; write the file with save"
+        ValueError, match=r"load: a.npz must hold a JSON object in about, got .*; write it with data_gen"
     ):
         data_gen.load(tmp_path / "a.npz")
 
@@ -316,25 +241,3 @@ def test_a_failed_write_leaves_the_old_file_alone(tmp_path, monkeypatch):
     with pytest.raises(OSError, match="disk full"):
         data_gen.save(tables(seed=1), tmp_path / "a.npz")
     assert [(path.name, path.read_bytes()) for path in tmp_path.iterdir()] == [("a.npz", before)]
-
-
-@pytest.mark.parametrize(
-    ("options", "sentence"),
-    [
-        ({"count": 0}, "count must be whole and >= 1, points >= 2, got 0 and 16; ask for more"),
-        ({"count": 1e3}, "count must be whole and >= 1, points >= 2, got 1000.0 and 16"),
-        ({"points": 1}, "count must be whole and >= 1, points >= 2, got 3 and 1; ask for more"),
-        ({"sampling": "even"}, "sampling must be fresh or shared, got 'even'; fresh is the default"),
-        ({"dtype": "float16"}, "dtype must be float32 or float64, got 'float16'; files hold float32"),
-        ({"seed": -1}, "seed must be a whole number >= 0, got -1; choose one"),
-        ({"seed": 0.5}, "seed must be a whole number >= 0, got 0.5; choose one"),
-    ],
-)
-def test_what_cannot_be_generated_is_refused(options, sentence):
-    with pytest.raises(ValueError, match=f"generate: {sentence}"):
-        tables(**options)
-
-
-def test_resample_refuses_a_bad_seed():
-    with pytest.raises(ValueError, match=r"resample: seed must be a whole number >= 0, got -3; choose one"):
-        data_gen.resample(tables(), -3)

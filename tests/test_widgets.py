@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 import torch
 
+import data_gen
+from data_gen.colours import colours
 from dsn_lite import AutoencoderSpace, Config, LinearSpace, widgets
 from dsn_lite.config import network
 from dsn_lite.data import Shapes
@@ -235,3 +237,56 @@ def test_the_heartbeat_is_answered(capsys):
     assert beating.answer == ""
     beating.beat += 1
     assert "Connected" in beating.answer
+
+
+@pytest.fixture
+def families():
+    rigs = {name: data_gen.family(name) for name in ("box/one", "table/four_legs", "carton/two_flaps")}
+    return widgets.FamilySliders(rigs, colours)
+
+
+def test_a_parameter_moves_the_mesh_of_its_family(families):
+    families.family = "table/four_legs"
+    rig, before = data_gen.family("table/four_legs"), drawn(families.canvas, 0)
+    families.sliders["height"].value = 0.9
+    there = rig.middle.copy()
+    there[0, rig.parameter_names.index("height")] = 0.9
+    right = rig.vertices(there)[0] - rig.vertices(rig.middle)[0]
+    np.testing.assert_allclose(moved(families.canvas, 0, before), right, atol=1e-6)
+    assert families.values["height"] == 0.9
+    assert families.values["width"] == pytest.approx(rig.middle[0, 0])
+
+
+@pytest.mark.parametrize("name", ["table/four_legs", "carton/two_flaps"])
+def test_another_family_brings_its_own_mesh_colours_and_sliders(families, name):
+    families.family = name
+    rig, (trace,) = data_gen.family(name), families.canvas.view.data
+    np.testing.assert_array_equal(np.stack([trace.i, trace.j, trace.k], 1), rig.triangles)
+    assert len(trace.x) == len(rig.vertex_part)
+    first = tuple(colours(name)[0].tolist())
+    assert trace.facecolor[0] == "rgb({},{},{})".format(*first)
+    assert tuple(families.sliders) == rig.parameter_names
+    key = families.children[1].value
+    assert all(part.replace("_", " ") in key for part in rig.part_names)
+    assert f"rgb{first}" in key
+
+
+def test_families_have_buttons_for_the_middle_and_for_a_random_shape(families):
+    families.family = "table/four_legs"
+    rig, panel = data_gen.family("table/four_legs"), families.children[0].children[1]
+    middle, random = panel.children[1].children
+    before = drawn(families.canvas, 0)
+    random.click()
+    values = np.array([list(families.values.values())])
+    assert (np.abs(values - rig.middle) > 1e-3).all()
+    right = rig.vertices(values)[0] - rig.vertices(rig.middle)[0]
+    np.testing.assert_allclose(moved(families.canvas, 0, before), right, atol=1e-6)
+    middle.click()
+    np.testing.assert_allclose(moved(families.canvas, 0, before), 0, atol=1e-6)
+    families.values = {"width": 0.6}
+    assert families.values["width"] == 0.6
+
+
+def test_canvas_refuses_faces_of_other_points(families, x):
+    with pytest.raises(ValueError, match=r"Canvas\.replace: faces must be \(f, 3\) indices of the 30 points"):
+        families.canvas.replace(0, x[0], [[0, 1, 30]], [[0, 0, 0]])

@@ -1,6 +1,6 @@
 """The smallest family possible: one box, three parameters."""
 
-from data_gen.part import Box
+from data_gen.part import box
 from data_gen.rig import FLOOR, Parameter, Rig
 
 BOX = (
@@ -12,7 +12,7 @@ BOX = (
 
 def one(p):
     """A box that stands on the floor."""
-    return (Box("body", centre=(0, FLOOR + p.height / 2, 0), extents=(p.width, p.height, p.depth)),)
+    return (box("body", centre=(0, FLOOR + p.height / 2, 0), extents=(p.width, p.height, p.depth)),)
 
 
 FAMILIES = (Rig("box/one", BOX, one, (("body", "body"),)),)

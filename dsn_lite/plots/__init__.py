@@ -1,16 +1,18 @@
 """Figures of the course: shapes side by side in one 3D view, offset fields, laws, training curves, spectra.
 
-Every function returns a plotly Figure: equal axes, white background, text of 14 pt and more, colours of Okabe and Ito
-without the pale yellow. Each carries a sentence of alternative text, `plots.alt(figure)`, which exported pages give to
-screen readers. Importing this module inside Jupyter makes figures appear in exported HTML too, without a network.
+Every function but `picture` returns a plotly Figure: equal axes, white background, text of 14 pt and more, colours of
+Okabe and Ito without the pale yellow. Each carries a sentence of alternative text, `plots.alt(figure)`, which exported
+pages give to screen readers. Importing this module inside Jupyter makes figures appear in exported HTML too, without a
+network.
 """
 
 from .charts import curve, spectrum
+from .images import picture
 from .laws import axiom_bars
 from .look import alt, appear_when_exported
 from .scenes import compare, modes, offsets, shapes
 from .solids import meshes
-from .tables import bars, law_table
+from .tables import bars, law_table, lines
 from .together import together
 
 __all__ = [
@@ -20,9 +22,11 @@ __all__ = [
     "compare",
     "curve",
     "law_table",
+    "lines",
     "meshes",
     "modes",
     "offsets",
+    "picture",
     "shapes",
     "spectrum",
     "together",

@@ -8,7 +8,7 @@ import plotly.graph_objects as go
 
 from .inputs import array, cloud_of, clouds_of, faces_of, labels_of, titles_of
 from .look import BLUE, GREEN, GREY, VERMILLION
-from .row import Row
+from .row import Cloud, Row
 from .traces import cloud, draw, drawn_points, scene
 
 
@@ -60,28 +60,41 @@ def compare(
     return scene(row, traces, names, "A source shape, a target, and the source deformed towards the target.")
 
 
-def offsets(x: Any, u: Any, *, title: str = "", colour: str = VERMILLION) -> go.Figure:
-    """The field u (n, 3) on the points x (n, 3): a line from each point to x + u, with a dot where it ends.
+def offsets(x: Any, u: Any, *, titles: Any = None) -> go.Figure:
+    """Fields u on shapes x, in a row: a line from each point to x + u, with a dot where it ends.
 
-    Raises ValueError where x and u are not finite and of one size.
+    x and u are (n, 3) or several of that; one x serves for many u. Raises ValueError where they are not finite and of
+    one size, or where titles are not one a field.
     """
-    points, field = cloud_of(x, "offsets"), cloud_of(u, "offsets")
-    if points.shape != field.shape:
+    clouds, fields = clouds_of(x, "offsets"), clouds_of(u, "offsets")
+    clouds = clouds * len(fields) if len(clouds) == 1 else clouds
+    points, rows = ([len(each) for each in several] for several in (clouds, fields))
+    if points != rows:
         raise ValueError(
-            f"offsets: u must have one row for each point of x, got {field.shape} for {points.shape}; "
+            f"offsets: u must have one row for each point of x, got {rows} rows for {points} points; "
             "take one column of a dictionary, A[..., j]"
         )
-    row, kept = Row.of([np.concatenate([points, points + field])]), drawn_points(len(points))
+    pairs = list(zip(clouds, fields, strict=True))
+    row = Row.of([*clouds, *(start + field for start, field in pairs)], len(pairs))
+    traces = [trace for i, pair in enumerate(pairs) for trace in _field(row, i, *pair)]
+    lengths = ", ".join(f"{np.sqrt((field**2).sum(-1).mean()):.2g}" for field in fields)
+    names = titles_of(titles, len(pairs), "offsets")
+    said = f"Offsets of the points of {len(pairs)} shapes{': ' * bool(names)}{', '.join(names)}; {lengths} long (rms)."
+    return scene(row, traces, names, said)
+
+
+def _field(row: Row, index: int, points: Cloud, field: Cloud) -> list[go.Scatter3d]:
+    """A faint cloud, the lines that leave it, and where they end."""
+    kept = drawn_points(len(points))
     start, end = points[kept], (points + field)[kept]
-    gap = np.full_like(start, np.nan)
-    x, y, z = row.place(np.stack([start, end, gap], 1).reshape(-1, 3), 0)
-    line = {"color": colour, "width": 3}
-    traces = [cloud(row, 0, points, colour=GREY, ghost=True)]
-    traces += [go.Scatter3d(x=x, y=y, z=z, mode="lines", line=line, hoverinfo="skip", showlegend=False)]
-    traces += [cloud(row, 0, points + field, colour=colour, scale=0.6)]
-    rms = float(np.sqrt((field**2).sum(-1).mean()))
-    said = f"An offset field on {len(points)} points, {rms:.2g} long on average (rms)."
-    return scene(row, traces, [title] if title else [], said)
+    x, y, z = row.place(np.stack([start, end, np.full_like(start, np.nan)], 1).reshape(-1, 3), index)
+    look = {"line": {"color": VERMILLION, "width": 3}, "hoverinfo": "skip", "showlegend": False}
+    ends = cloud(row, index, points + field, colour=VERMILLION, scale=0.6)
+    return [
+        cloud(row, index, points, colour=GREY, ghost=True),
+        go.Scatter3d(x=x, y=y, z=z, mode="lines", **look),
+        ends,
+    ]
 
 
 def modes(

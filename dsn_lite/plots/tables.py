@@ -1,12 +1,21 @@
-"""Numbers against names: which space breaks which law, and a quantity against a choice."""
+"""Numbers against names or numbers: which space breaks which law, a quantity against a choice or against another."""
 
 from collections.abc import Sequence
+from itertools import cycle
 from typing import Any
 
 import plotly.graph_objects as go
 
 from .inputs import array
-from .look import BLUE, LINES, dress
+from .laws import LEGEND
+from .look import BLUE, GREY, LINES, PALETTE, dress
+
+STROKES = (
+    ("solid", "circle"),
+    ("dash", "diamond"),
+    ("dot", "square"),
+    ("dashdot", "x"),
+)  # so that colour is not needed
 
 
 def law_table(residuals: Any, spaces: Sequence[str], laws: Sequence[str]) -> go.Figure:
@@ -44,6 +53,23 @@ def bars(values: dict[Any, float], *, x: str, y: str) -> go.Figure:
     return dress(
         figure, f"{y} against {x}: " + ", ".join(f"{k}: {v:.2g}" for k, v in values.items()), width=720, height=380
     )
+
+
+def lines(values: dict[str, dict[Any, float]], *, x: str, y: str, log: bool = False) -> go.Figure:
+    """One line a name: numbers by number, x and y what the axes are called; both are logarithmic with `log`."""
+    looks = zip(values.items(), cycle(PALETTE), cycle(STROKES))
+    figure = go.Figure([_stroke(name, each, colour, *stroke) for (name, each), colour, stroke in looks])
+    kind = {"type": "log", "exponentformat": "power", "dtick": 1} if log else {"type": "linear"}
+    figure.update_xaxes(title=x, gridcolor=LINES, zeroline=False, linecolor=GREY, **kind)
+    figure.update_yaxes(title=y, gridcolor=LINES, zeroline=False, **kind)
+    figure.update_layout(legend=LEGEND, margin={"l": 90, "r": 20, "t": 60, "b": 70})
+    told = [f"{name} goes from {each[min(each)]:.2g} to {each[max(each)]:.2g}" for name, each in values.items()]
+    return dress(figure, f"{y} against {x}: {', '.join(told)}.", width=720, height=420)
+
+
+def _stroke(name: str, numbers: dict[Any, float], colour: str, dash: str, symbol: str) -> go.Scatter:
+    look = {"line": {"color": colour, "width": 3, "dash": dash}, "marker": {"symbol": symbol, "size": 9}}
+    return go.Scatter(x=list(numbers), y=list(numbers.values()), mode="lines+markers", name=name, **look)
 
 
 def _broken(laws: Sequence[str]) -> list[str]:

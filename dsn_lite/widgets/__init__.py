@@ -1,12 +1,13 @@
-"""Widgets for Jupyter: sliders over a dictionary, a deformation from x to y, a training to watch, a sign of life.
+"""Widgets for Jupyter: sliders over families and dictionaries, a deformation from x to y, a training to watch.
 
 They draw with plotly through one class, `Canvas`, and work without a front end, so that lessons can be tested.
 """
 
 from .canvas import Canvas
+from .families import FamilySliders
 from .heartbeat import heartbeat
 from .live import LiveTraining
 from .path import DeformationPath
 from .sliders import DictionarySliders
 
-__all__ = ["Canvas", "DeformationPath", "DictionarySliders", "LiveTraining", "heartbeat"]
+__all__ = ["Canvas", "DeformationPath", "DictionarySliders", "FamilySliders", "LiveTraining", "heartbeat"]

@@ -5,6 +5,7 @@ Everything that a browser-side view will do instead is in `Canvas`: it is given 
 
 from typing import Any
 
+import numpy as np
 import plotly.graph_objects as go
 
 from ..plots.inputs import cloud_of, clouds_of, faces_of, labels_of, titles_of
@@ -62,6 +63,19 @@ class Canvas:
         with self.view.batch_update():
             for index, points in clouds.items():
                 self._move(self.view.data[index], index, points)
+
+    def replace(self, index: int, points: Any, faces: Any, colours: Any) -> None:
+        """Draws another mesh in place of the one at `index`: points (n, 3), faces (f, 3), colours (f, 3), 0 to 255.
+
+        Raises ValueError where faces are not of the points.
+        """
+        mesh = cloud_of(points, "Canvas.replace")
+        (faces,), trace = faces_of([faces], [mesh], "Canvas.replace"), self.view.data[index]
+        self._sizes[index] = len(mesh)
+        with self.view.batch_update():
+            trace.i, trace.j, trace.k = np.ascontiguousarray(faces.T, dtype=np.int32)
+            trace.facecolor = [f"rgb({r:.0f},{g:.0f},{b:.0f})" for r, g, b in np.asarray(colours).tolist()]
+            self._move(trace, index, mesh)
 
     def points(self, index: int):
         """The three arrays that are drawn for a shape, in plotly's axes: x, -z and y, moved along the row."""

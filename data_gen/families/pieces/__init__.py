@@ -1,0 +1,1 @@
+"""Pieces that families of several categories are made of."""

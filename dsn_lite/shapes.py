@@ -1,0 +1,132 @@
+"""Collections of shapes: what is known about them, some of them, and their split."""
+
+from dataclasses import dataclass, field, fields, replace
+from itertools import chain
+from typing import Any
+
+import numpy as np
+import torch
+from jaxtyping import Float, Int
+from torch import Tensor, nn
+
+SPLIT = (0.85, 0.05, 0.10)  # training, validation, test: Section 4.1 of the paper
+PARTS = ("train", "validation", "test")
+FEWEST = (1, 2, 1)  # shapes in each
+SHARED = {"labels": 1, "rest": 2, "faces": 1, "weights": 2}  # axes of what all shapes may share
+
+
+@dataclass(frozen=True)
+class Shapes:
+    """N shapes of n points each, and what is known about them.
+
+    points (N, n, 3); labels (N, n) part of each point or -1; rest (N, n, 3) each point in its part's unit box;
+    faces (N, n) and weights (N, n, 2) its triangle and place there. These four lack the axis N where all shapes share
+    them. boxes (N, P, 15) = centre 3, rotation 9, extents 3; joints (N, J, 8) = axis 3, pivot 3, value, kind.
+    families (N,) rows of about["families"] where shapes of several are mixed: then parts, joints and parameters that a
+    shape lacks are NaN.
+    """
+
+    points: Float[Tensor, "N n 3"]
+    labels: Int[Tensor, "..."] | None = None
+    rest: Float[Tensor, "..."] | None = None
+    faces: Int[Tensor, "..."] | None = None
+    weights: Float[Tensor, "..."] | None = None
+    boxes: Float[Tensor, "N P 15"] | None = None
+    parameters: Float[Tensor, "N p"] | None = None
+    joints: Float[Tensor, "N J 8"] | None = None
+    families: Int[Tensor, " N"] | None = None
+    parameter_names: tuple[str, ...] = ()
+    part_names: tuple[str, ...] = ()
+    names: tuple[str, ...] = ()
+    about: dict[str, Any] = field(default_factory=dict)
+
+    def __len__(self) -> int:
+        return len(self.points)
+
+    @property
+    def corresponds(self) -> bool:
+        """True where point i of one shape is point i of every other: shared samples of one family."""
+        return bool(self.about.get("corresponds", False)) and self.families is None
+
+    @property
+    def truth_is_known(self) -> bool:
+        """True where boxes tell the true deformations: one family of parts that keep their form, every point in one."""
+        rigs, told = self.about.get("rigs", {}).values(), (self.labels, self.rest, self.boxes)
+        if self.families is not None or any(one is None for one in told):
+            return False
+        forms_stay = all(rig.get("by_boxes", True) for rig in rigs)
+        return forms_stay and bool((self.labels >= 0).all()) and bool(self.boxes.isfinite().all())
+
+    @property
+    def ranges(self) -> np.ndarray | None:
+        """Lowest and highest value of every parameter (p, 2), where the file tells of one family; None elsewhere."""
+        known = self.about.get("rigs", {}).get(self.about.get("family"), {}).get("ranges")
+        if known is None or self.parameters is None:
+            return None
+        return np.array([known[name] for name in self.parameter_names]) + np.array([-1e-6, 1e-6])  # files hold float32
+
+    def __getitem__(self, index: int | slice | Int[Tensor, " j"]) -> "Shapes":
+        """The shapes at these indices, in this order; one index gives a collection of one, a slice copies nothing."""
+        kept = torch.arange(len(self))[index].reshape(-1)
+        taken = {
+            name: value[index if isinstance(index, slice) else kept]
+            for name, value in self._tensors().items()
+            if value.ndim != SHARED.get(name)
+        }
+        names = tuple(self.names[i] for i in kept.tolist()) if len(self.names) == len(self) else self.names
+        about = (
+            {**self.about, "split": None} if self.about.get("split") else self.about
+        )  # its rows are those of the whole
+        return replace(self, names=names, about=about, **taken)
+
+    def like(self, space: nn.Module) -> "Shapes":
+        """The same shapes in the precision and on the device of a space's weights, where it has any."""
+        weight = next(chain(space.parameters(), space.buffers()), self.points)
+        moved = {
+            name: value.to(weight) if value.is_floating_point() else value.to(weight.device)
+            for name, value in self._tensors().items()
+        }
+        return replace(self, **moved)
+
+    def _tensors(self) -> dict[str, Tensor]:
+        return {f.name: getattr(self, f.name) for f in fields(self) if isinstance(getattr(self, f.name), Tensor)}
+
+    def split(self, seed: int = 0) -> tuple["Shapes", "Shapes", "Shapes"]:
+        """Training, validation and hold-out shapes: as the file says, or else 85-5-10 by a shuffle of this seed.
+
+        Raises ValueError where there are not at least 1, 2 and 1 of them.
+        """
+        if self.about.get("split"):
+            train, validation, test = _rows(self.about["split"], len(self))
+            return self[train], self[validation], self[test]
+        N = len(self)
+        if N < sum(FEWEST):
+            raise ValueError(
+                f"split: at least 4 shapes are needed for training, validation and test, got {N}; add shapes"
+            )
+        order = torch.from_numpy(np.random.default_rng(seed).permutation(N))
+        test, validation = max(1, round(SPLIT[2] * N)), max(2, round(SPLIT[1] * N))
+        return self[order[test + validation :]], self[order[test : test + validation]], self[order[:test]]
+
+    def at_boxes(self, boxes: Float[Tensor, "N P 15"]) -> Float[Tensor, "N n 3"]:
+        """The same samples placed on other boxes: p = c + R diag(s) u."""
+        labels, rest = self.labels.expand(self.points.shape[:2]), self.rest.expand(self.points.shape)
+        own = torch.take_along_dim(boxes, labels.long().unsqueeze(-1), dim=1)
+        local = own[..., 12:] * rest
+        return own[..., :3] + (own[..., 3:12].unflatten(-1, (3, 3)) @ local.unsqueeze(-1)).squeeze(-1)
+
+
+def _rows(split: Any, N: int) -> list[slice]:
+    """The rows of each part of a split that a file tells. Raises ValueError where it tells no split of N shapes."""
+    try:
+        rows = [range(*map(int, split[part])) for part in PARTS]
+        apart = len({row for part in rows for row in part}) == sum(map(len, rows))
+        whole = apart and all(0 <= part.start and part.stop <= N for part in rows)
+    except (TypeError, KeyError, ValueError):
+        whole, rows = False, []
+    if not whole or any(len(part) < fewest for part, fewest in zip(rows, FEWEST, strict=True)):
+        raise ValueError(
+            f"split: the file must give [start, stop] rows of its {N} shapes for train, validation and test, apart, at "
+            f"least 1, 2 and 1 of them, got {split}; write the file again, or without a split"
+        )
+    return [slice(part.start, part.stop) for part in rows]
