@@ -18,7 +18,7 @@ def assembled(sources, which, parameters, dtype):
             one = source.take(parameters[i][start : start + step], dtype)
             if made is None:
                 made = _empty([source.rig for source in sources], which, one)
-            _fill(made, one, rows[start : start + step])
+            _fill(made, one, rows[start : start + step] if len(sources) > 1 else slice(start, start + step))
     return made
 
 
@@ -56,10 +56,13 @@ def _fill(made, one, rows):
     for key in SAMPLED:
         array, value = getattr(made, key), getattr(one, key)
         if array.ndim != SHARED.get(key):
-            array[rows] = parts[value] if key == "labels" else value
-    made.boxes[rows[:, None], parts] = one.boxes
-    made.parameters[rows[:, None], columns] = one.parameters
-    made.joints[rows, : one.joints.shape[1]] = one.joints
+            array[rows] = parts.take(value) if key == "labels" else value
+    places = {"boxes": parts, "parameters": columns, "joints": np.arange(one.joints.shape[1])}
+    for key, own in places.items():
+        array, value = getattr(made, key), getattr(one, key)
+        wide = np.full((len(value), *array.shape[1:]), np.nan, array.dtype)
+        wide[:, own] = value
+        array[rows] = wide
 
 
 def _union(names):

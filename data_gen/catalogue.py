@@ -12,8 +12,7 @@ from data_gen.families import categories, families
 from data_gen.families import family as rig_of
 from data_gen.files import beside
 from data_gen.gallery import write_page
-from data_gen.paint import window_around
-from data_gen.sheet import GREY, INK, PAPER, font, painted, sheet
+from data_gen.sheet import GREY, INK, PAPER, font, painted, sheet, window
 
 COLUMNS, CELL, HEAD = 17, 84, 24
 ROW = HEAD + CELL + 22
@@ -87,7 +86,7 @@ def _laid_out(categories):
 
 def _thumbnail(name, size):
     rig = rig_of(name)
-    return painted(rig, rig.middle, size, window_around(rig.vertices(rig.middle)), cut=False)[0]
+    return painted(rig, rig.middle, size, window(rig, rig.middle), cut=False)[0]
 
 
 def _index(names):
@@ -105,7 +104,7 @@ def _link(name):
 
 def _save(image, path):
     with beside(path) as part, part.open("wb") as file:
-        image.quantize(256, Image.Quantize.MAXCOVERAGE).save(file, "PNG", optimize=True)
+        image.save(file, "PNG", optimize=True)
 
 
 def chosen(names):

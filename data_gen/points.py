@@ -68,6 +68,21 @@ def place(boxes, labels, rest, dtype):
     return points
 
 
+def combined(shares, terms):
+    """Sums (N, ...) of terms (p, ...) by shares (N, p). Last digits of `@` depend on N, those of this do not."""
+    return np.einsum("np,pk->nk", shares, terms.reshape(len(terms), -1)).reshape(-1, *terms.shape[1:])
+
+
+def relative(points, boxes, labels):
+    """Where points (N, n, 3) lie in their parts' boxes (N, P, 15), if these are not turned."""
+    found = points.copy()
+    for i, box in enumerate(boxes.astype(points.dtype)):
+        own = labels if labels.ndim == 1 else labels[i]
+        found[i] -= box[:, :3].take(own, axis=0)
+        found[i] /= box[:, 12:].take(own, axis=0)
+    return found
+
+
 def blocks(shapes, size):
     """Slices over `shapes` shapes of `size` numbers, so few at a time that what is made on the way stays small."""
     step = max(1, 2**16 // size)

@@ -16,7 +16,7 @@ import numpy as np
 from data_gen.joint import HINGE, Joint, after, motion, parents
 from data_gen.linear import Linear
 from data_gen.part import Part
-from data_gen.points import Samples, blend, blend_corners, blocks, edges_of, place
+from data_gen.points import Samples, blend, blend_corners, blocks, combined, edges_of, place, relative
 
 FLOOR = -0.5
 """The y that families stand on."""
@@ -94,30 +94,52 @@ class Rig(Linear):
             found[:, j, 6], found[:, j, 7] = values[:, j], joint.kind != HINGE
         return found
 
-    def rest(self, samples, parameters, dtype=np.float64):
-        """Rest coordinates of samples: (n, 3) where all shapes share them and parts keep their form, else (N, n, 3)."""
-        if self.fixed_rest:
-            return self._rest_of_fixed(samples, dtype)
-        boxes = self.rest_boxes(parameters)
-        labels, found = self.triangle_part[samples.faces], self.rest_points(samples, parameters, dtype)
-        for i, (centres, extents) in enumerate(boxes.swapaxes(0, 1).astype(dtype)):
-            own = labels if samples.shared else labels[i]
-            found[i] -= centres.take(own, axis=0)
-            found[i] /= extents.take(own, axis=0)
-        return found
+    def sampled(self, samples, parameters, dtype=np.float64):
+        """Points (N, n, 3) of samples and their rest coordinates, these (n, 3) where all shapes share them.
 
-    def rest_points(self, samples, parameters, dtype=np.float64):
-        """Where samples stand (N, n, 3) in the rest pose."""
+        Raises ValueError for parameters out of range.
+        """
+        parameters = self.check(parameters, "place")
+        boxes, labels = self.boxes(parameters), self.triangle_part[samples.faces]
+        if self.fixed_rest and not (self.linear and samples.shared):
+            rest = self._rest_of_fixed(samples, dtype)
+            return place(boxes, labels, rest, dtype), rest
+        points = self._unturned_points(samples, parameters, dtype)
+        if self.fixed_rest:
+            return points, self._rest_of_fixed(samples, dtype)
+        rest = relative(points, boxes if self.linear else self._unturned(boxes, parameters), labels)
+        return (points if self.linear else place(boxes, labels, rest, dtype)), rest
+
+    def place(self, samples, parameters, dtype=np.float64):
+        """Points (N, n, 3) of samples at parameters (N, p). Raises ValueError for parameters out of range."""
+        return self.sampled(samples, parameters, dtype)[0]
+
+    @cached_property
+    def _unturned_map(self):
+        """Vertices (1 + p, 3, V) in the middle of the ranges, and slopes: posed if only slides pose, else at rest."""
+        if not self.linear:
+            return np.concatenate([self._at_middle[0], self.slopes[0]]).swapaxes(1, 2)
+        low, high = (self.vertices(self.middle + side * np.diag(self.high - self.low) / 2) for side in (-1, 1))
+        slopes = (high - low) / (self.high - self.low)[:, None, None]
+        return np.concatenate([self.vertices(self.middle), slopes]).swapaxes(1, 2)
+
+    def _unturned(self, boxes, parameters):
+        """The boxes (N, P, 15) as they are in the rest pose."""
+        centres, extents = self.rest_boxes(parameters)
+        return np.concatenate([centres, boxes[:, :, 3:12], extents], axis=2)
+
+    def _unturned_points(self, samples, parameters, dtype):
+        """Where samples stand (N, n, 3) by the linear map alone."""
+        terms, triangles = self._unturned_map.astype(dtype), np.ascontiguousarray(self.triangles.T)
+        change = np.concatenate([np.ones((len(parameters), 1)), parameters - self.middle], axis=1).astype(dtype)
+        found = np.zeros((len(parameters), *samples.weights.shape[-2:-1], 3), dtype)
         if samples.shared:
-            slopes = self.slopes[0].swapaxes(1, 2)
-            middle, *change = (
-                blend_corners(one, self.triangles.T, samples) for one in (self._at_middle[0][0].T, *slopes)
-            )
-            return (middle + np.tensordot(parameters - self.middle, change, axes=1)).astype(dtype)
-        found = np.zeros((*samples.faces.shape, 3), dtype)
-        triangles = np.ascontiguousarray(self.triangles.T)
+            for own in blocks(len(samples.faces), 32):
+                moves = [blend_corners(term, triangles, Samples(*(one[own] for one in samples))) for term in terms]
+                found[:, own] = combined(change, np.stack(moves))
+            return found
         for rows in blocks(len(parameters), 9 * len(self.triangles)):
-            vertices = np.ascontiguousarray(self.rest_vertices(parameters[rows]).astype(dtype).swapaxes(1, 2))
+            vertices = combined(change[rows], terms)
             for i in range(rows.start, rows.stop):
                 found[i] = blend_corners(vertices[i - rows.start], triangles, samples.row(i))
         return found
@@ -131,11 +153,6 @@ class Rig(Linear):
         for i, row in enumerate(zip(*samples, strict=True)):
             found[i] = blend(edges, Samples(*row))
         return found
-
-    def place(self, samples, parameters, dtype=np.float64):
-        """Points (N, n, 3) of samples at parameters (N, p). Raises ValueError for parameters out of range."""
-        boxes = self.boxes(self.check(parameters, "place"))
-        return place(boxes, self.triangle_part[samples.faces], self.rest(samples, parameters, dtype), dtype)
 
     def true_transfer(self, samples, p_z, p_x, p_y, clip=False):
         """What turned x into y, done to the samples of z: points (N, n, 3) at p_z + p_y - p_x, each (N, p).

@@ -40,42 +40,53 @@ def sheet(family, seed=0):
 
 def sweep(rig, i, size=SMALL):
     """The five shapes of one parameter's sweep side by side, a PIL image."""
-    return _row(painted(rig, sweeps(rig)[i], size, _window(rig, sweeps(rig).reshape(-1, len(rig.parameters)))))
+    return _row(painted(rig, sweeps(rig)[i], size, window(rig, sweeps(rig).reshape(-1, len(rig.parameters)))))
 
 
 def range_of(parameter):
     """A parameter's range in words, angles in degrees too."""
     if parameter.unit == "rad":
         low, high = np.degrees((parameter.low, parameter.high))
-        return f"{parameter.low:g} to {parameter.high:g} rad ({low:.0f} to {high:.0f} degrees)"
-    return f"{parameter.low:g} to {parameter.high:g}"
+        return f"{parameter.low:.3g} to {parameter.high:.3g} rad ({low:.0f} to {high:.0f} degrees)"
+    return f"{parameter.low:.3g} to {parameter.high:.3g}"
 
 
 def sort_of(rig):
     """In words: how many parts, parameters and joints, and whether the rig is linear."""
     joints = [joint.kind for joint in rig.joint_list]
-    hung = ", ".join(f"{joints.count(one)} {one}s" for one in dict.fromkeys(joints))
+    hung = ", ".join(_many(joints.count(one), one) for one in dict.fromkeys(joints))
     linear = "linear in its parameters" if rig.linear else "articulated: angles are not linear"
-    words = [f"{len(rig.part_names)} parts", f"{len(rig.parameters)} parameters", *([hung] if hung else []), linear]
-    return ", ".join(words)
+    counted = (_many(len(rig.part_names), "part"), _many(len(rig.parameters), "parameter"))
+    return ", ".join([*counted, *([hung] if hung else []), linear])
 
 
-def painted(rig, parameters, size, window, cut=True):
-    """Pictures of shapes in one window, all cut to the rows that one of them needs if `cut` says so."""
+def _many(count, word):
+    return f"{count} {word}" + ("s" if count != 1 else "")
+
+
+def painted(rig, parameters, size, seen, cut=True):
+    """Pictures of shapes in one window, `seen`, all cut to the rows that one of them needs if `cut` says so."""
     shades, vertices = colours(rig.name)[rig.triangle_part], rig.vertices(parameters)
-    look = {"window": window, "ground": vertices[..., 1].min() < FLOOR + NEAR}  # what flies has no shadow near by
+    look = {"window": seen, "ground": _stand(vertices)}
     cells = np.stack([paint(one, rig.triangles, shades, size, **look) for one in vertices])
     used = np.flatnonzero((cells < 250).any(axis=(0, 2, 3)))
     return [Image.fromarray(cell) for cell in (cells[:, max(0, used[0] - PAD) : used[-1] + PAD] if cut else cells)]
 
 
-def _window(rig, parameters):
-    return window_around(rig.vertices(parameters))
+def window(rig, parameters):
+    """The window that holds shapes, and the shadows of those that stand."""
+    vertices = rig.vertices(parameters)
+    return window_around([vertices, vertices * [1, 0, 1] + [0, FLOOR, 0]] if _stand(vertices) else vertices)
+
+
+def _stand(vertices):
+    """Whether shapes are near the floor: what flies or hangs has no shadow near by."""
+    return vertices[..., 1].min() < FLOOR + NEAR
 
 
 def _random(rig, seed):
     parameters = shapes(rig, seed)
-    cells = painted(rig, parameters, CELL, _window(rig, parameters))
+    cells = painted(rig, parameters, CELL, window(rig, parameters))
     return _stacked([_row(cells[i : i + COLUMNS]) for i in range(0, len(cells), COLUMNS)])
 
 

@@ -41,7 +41,7 @@ def seen_by_loops(vertices, triangles, point, own, direction):
 def test_what_is_visible_is_what_rays_reach(name, direction, seed):
     rig, direction = data_gen.family(name), np.array(direction) / np.linalg.norm(direction)
     parameters = rig.draw(1, np.random.default_rng(seed))
-    samples = draw.fresh(rig, parameters, 60, [np.random.default_rng((seed, i)) for i in range(3)]).row(0)
+    samples = draw.fresh(rig, parameters, 60, [np.random.default_rng((seed, i)) for i in range(4)]).row(0)
     vertices, points = rig.vertices(parameters)[0], rig.place(Samples(*samples), parameters)[0]
     slow = [
         seen_by_loops(vertices, rig.triangles, *each, direction) for each in zip(points, samples.faces, strict=True)

@@ -33,6 +33,12 @@ def extremes(rig):
     return np.where(high, rig.high, rig.low)
 
 
+def anywhere(name, seed):
+    """A rig, and parameters inside its ranges and at their corners."""
+    rig, parameters = parameters_of(name, seed)
+    return rig, np.concatenate([parameters, extremes(rig)])
+
+
 def part_volumes(rig, vertices):
     return np.stack(
         [volumes(vertices, rig.triangles[rig.triangle_part == i]) for i in range(len(rig.part_names))], axis=1
@@ -91,7 +97,7 @@ def test_all_that_is_built_is_linear_in_the_parameters(name, seed):
 @FEW
 @given(seed=SEEDS)
 def test_declared_contacts_have_no_gap(name, seed):
-    rig, parameters = parameters_of(name, seed)
+    rig, parameters = anywhere(name, seed)
     assert np.abs(fits.gaps(rig, parameters)).max(initial=0.0) < EXACT
 
 
@@ -99,7 +105,7 @@ def test_declared_contacts_have_no_gap(name, seed):
 @FEW
 @given(seed=SEEDS)
 def test_parts_in_contact_reach_over_each_other(name, seed):
-    rig, parameters = parameters_of(name, seed)
+    rig, parameters = anywhere(name, seed)
     centres, extents = rig.rest_boxes(parameters)
     for contact in rig.contacts:
         one, two = (rig.part_names.index(contact[i]) for i in (0, 1))
@@ -121,7 +127,7 @@ def test_symmetric_pairs_mirror(name, seed):
 @FEW
 @given(seed=SEEDS)
 def test_joints_sit_where_the_parts_they_join_are(name, seed):
-    rig, parameters = parameters_of(name, seed)
+    rig, parameters = anywhere(name, seed)
     assert fits.loose_hinges(rig, parameters).max(initial=0.0) < EXACT
     for joint in rig.joint_list:
         assert {joint.on, *joint.parts} <= set(rig.part_names)
@@ -146,7 +152,7 @@ def test_parts_that_turn_keep_their_form(name, seed):
 @given(seed=SEEDS)
 def test_the_jacobian_is_what_differences_say(name, seed):
     rig, p = parameters_of(name, seed, count=1)
-    samples = draw.fresh(rig, rig.middle, 30, [np.random.default_rng(seed + i) for i in range(3)]).row(0)
+    samples = draw.fresh(rig, rig.middle, 30, [np.random.default_rng(seed + i) for i in range(4)]).row(0)
     stated, step = jacobian(rig, samples, p), 1e-6
     for j in range(p.shape[1]):
         ends = [
@@ -162,7 +168,7 @@ def test_the_jacobian_is_what_differences_say(name, seed):
 @given(seed=SEEDS)
 def test_linear_rigs_move_by_the_jacobian_exactly(name, seed):
     rig, p = parameters_of(name, seed, count=3)
-    samples = draw.fresh(rig, rig.middle, 300, [np.random.default_rng(seed + i) for i in range(3)]).row(0)
+    samples = draw.fresh(rig, rig.middle, 300, [np.random.default_rng(seed + i) for i in range(4)]).row(0)
     moved = np.diff(rig.place(samples, p), axis=0)
     told = np.einsum("nik,mk->mni", jacobian(rig, samples, p[:1]), np.diff(p, axis=0))
     assert np.abs(moved).max() > 1e-6
@@ -194,7 +200,9 @@ def test_boxes_reach_as_far_as_the_vertices(name, seed):
 @FAMILIES
 def test_corners_of_the_parameter_box_give_sound_shapes(name):
     rig = data_gen.family(name)
-    corners = extremes(rig)
+    corners = np.concatenate(
+        [extremes(rig), rig.draw(300, np.random.default_rng(0))]
+    )  # what turns may reach out between
     vertices, extents = rig.vertices(corners), rig.rest_boxes(corners)[1]
     assert np.isfinite(vertices).all()
     assert np.abs(vertices).max() <= 0.5 + EXACT, "inside the bounds"
@@ -226,7 +234,8 @@ def test_shapes_stand_hang_or_fly_all_at_one_height(name):
     rig = data_gen.family(name)
     heights = rig.rest_vertices(extremes(rig))[:, :, 1]
     stands, hangs = np.abs(heights.min(axis=1) - FLOOR).max() < EXACT, np.abs(heights.max(axis=1) + FLOOR).max() < EXACT
-    assert stands or hangs or rig.category == "airplane"
+    swings = not rig.linear and np.ptp(heights.min(axis=1)) < EXACT  # what swings through may need room below
+    assert stands or hangs or swings or rig.category == "airplane"
 
 
 @FAMILIES

@@ -18,7 +18,7 @@ SEEDS = st.integers(0, 2**32 - 1)
 def drawn(name, seed, count=4, points=50):
     """A rig, random parameters of it, and shared samples."""
     rig = data_gen.family(name)
-    streams = [np.random.default_rng(seed + i) for i in range(3)]
+    streams = [np.random.default_rng(seed + i) for i in range(4)]
     return rig, rig.draw(count, np.random.default_rng(seed)), draw.fresh(rig, rig.middle, points, streams).row(0)
 
 
@@ -34,8 +34,8 @@ WEDGE = Rig("wedge/one", (Parameter("low", 0.1, 1.0, ""), Parameter("high", 0.1,
 @given(seed=SEEDS)
 def test_placing_own_samples_equals_a_slow_loop(name, seed):
     rig, parameters, _ = drawn(name, seed, count=3)
-    samples = draw.fresh(rig, parameters, 20, [np.random.default_rng(seed + i) for i in range(3)])
-    boxes, rest = rig.boxes(parameters), rig.rest(samples, parameters)
+    samples = draw.fresh(rig, parameters, 20, [np.random.default_rng(seed + i) for i in range(4)])
+    boxes, rest = rig.boxes(parameters), rig.sampled(samples, parameters)[1]
     slow = np.zeros((3, 20, 3))
     for shape in range(3):
         for point in range(20):
@@ -54,10 +54,10 @@ def test_float32_points_are_those_of_float64_rounded():
 
 def test_rest_coordinates_are_shared_where_parts_keep_their_form():
     rig, parameters, samples = drawn("table/shelf", 3)
-    assert rig.rest(samples, parameters).shape == (50, 3)
-    samples = draw.fresh(WEDGE, WEDGE.middle, 50, [np.random.default_rng(i) for i in range(3)]).row(0)
+    assert rig.sampled(samples, parameters)[1].shape == (50, 3)
+    samples = draw.fresh(WEDGE, WEDGE.middle, 50, [np.random.default_rng(i) for i in range(4)]).row(0)
     parameters = np.array([[0.1, 1.0], [1.0, 0.1]])
-    rest = WEDGE.rest(samples, parameters)
+    rest = WEDGE.sampled(samples, parameters)[1]
     assert rest.shape == (2, 50, 3)
     assert np.abs(rest[0] - rest[1]).max() > 0.3
     assert (WEDGE.fixed_rest, WEDGE.by_boxes, WEDGE.linear) == (False, False, True)

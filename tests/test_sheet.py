@@ -43,7 +43,7 @@ def test_angles_are_told_in_degrees_too():
     assert said[angle.name].endswith(f"{np.degrees(angle.high):.0f} degrees)")
     assert "degrees" not in said["width"]
     assert "2 hinges, articulated" in sheets.sort_of(RIG)
-    assert sheets.sort_of(data_gen.family("box/one")) == "1 parts, 3 parameters, linear in its parameters"
+    assert sheets.sort_of(data_gen.family("box/one")) == "1 part, 3 parameters, linear in its parameters"
 
 
 def test_the_page_draws_twelve_shapes_upright_with_equal_axes():

@@ -32,23 +32,33 @@ plots.meshes([table], titles=[rig.name])
 # The turned legs need many small triangles, the top is made of a few large ones: of all triangles, and of all area, what share is the top's?
 
 # %%
-a, b, c = rig.vertices(rig.middle)[0][rig.triangles].swapaxes(0, 1)
+vertices = rig.vertices(rig.middle)[0]
+a, b, c = vertices[rig.triangles].swapaxes(0, 1)
 area = np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2
 top = rig.triangle_part == rig.part_names.index("top")
-top.mean(), area[top].sum() / area.sum()
+print(f"{top.mean():.0%} of the triangles, {area[top].sum() / area.sum():.0%} of the area")
 
 # %% [markdown]
-# Three ways to get 1000 points: take vertices; take a triangle at random and a point on it; take a triangle *with probability proportional to its area* and a point on it.
-# (Three weights drawn evenly among those that add up to 1 put a point anywhere on a triangle; in exercise 1 you do that yourself.)
+# To put a point on a triangle, mix its corners: three weights, drawn evenly among those that add up to 1, land anywhere on it. (In exercise 1 you make them yourself.)
 
 # %%
 generator = np.random.default_rng(0)
-pick = {"any triangle": None, "by area": area / area.sum()}
-faces = {name: generator.choice(len(area), 1000, p=p) for name, p in pick.items()}
-w = generator.dirichlet([1, 1, 1], 1000)
-on_faces = {name: w[:, :1] * a[f] + w[:, 1:2] * b[f] + w[:, 2:] * c[f] for name, f in faces.items()}
-corners = generator.permutation(np.concatenate([a, b, c]))[:1000]
-plots.shapes([corners, *on_faces.values()], titles=["vertices", *on_faces])
+
+
+def on_triangles(which):
+    """A random point on each of these triangles."""
+    w = generator.dirichlet([1, 1, 1], len(which))
+    return w[:, :1] * a[which] + w[:, 1:2] * b[which] + w[:, 2:] * c[which]
+
+
+# %% [markdown]
+# Three ways to get 1000 points: take vertices at random; take triangles at random, and a point on each; take triangles *with probability proportional to their area*, and a point on each.
+
+# %%
+some_vertices = vertices[generator.choice(len(vertices), 1000)]
+any_triangle = on_triangles(generator.choice(len(area), 1000))
+by_area = on_triangles(generator.choice(len(area), 1000, p=area / area.sum()))
+plots.shapes([some_vertices, any_triangle, by_area], titles=["vertices", "any triangle", "by area"])
 
 # %% [markdown]
 # What has no points does not exist for a network, or for a distance between clouds: the first two tables are legs without a top. Only sampling by area describes the *surface*
@@ -61,13 +71,13 @@ plots.shapes([corners, *on_faces.values()], titles=["vertices", *on_faces])
 options = {"count": 100, "points": 512, "seed": 3}
 fresh = data_gen.generate("table/four_legs", **options)
 shared = data_gen.generate("table/four_legs", **options, sampling="shared")
-(fresh.labels == 0).mean(1)[:3], (shared.labels == 0).mean()
+(fresh.labels == 0).mean(1)[:3].round(2), (shared.labels == 0).mean().round(2)
 
 # %% [markdown]
 # ## 2 More than a hundred families
 #
 # Where do shapes come from? Collections of real ones may not be given away with a course, and nobody knows their true deformations. Ours are made: a *family* turns a few named numbers
-# into parts. One of each:
+# into parts. One of each (it takes a few seconds):
 
 # %%
 from data_gen.catalogue import overview
@@ -124,7 +134,7 @@ plots.shapes([*halfway, *means], titles=["halfway", "halfway, shuffled", "mean",
 # %%
 exact = data_gen.generate("table/four_legs", **options, sampling="shared", dtype="float64").points
 mixed = np.stack([generator.permutation(cloud) for cloud in exact])
-[np.linalg.matrix_rank((clouds - clouds.mean(0)).reshape(100, -1), tol=1e-9) for clouds in (exact, mixed)]
+[int(np.linalg.matrix_rank((each - each.mean(0)).reshape(100, -1), tol=1e-9)) for each in (exact, mixed)]
 
 # %% [markdown]
 # Fresh samples are worse than shuffled ones: point 17 has no partner anywhere. That is the honest setting, and the paper's. What can still be compared is sets.
@@ -192,8 +202,8 @@ told = {n: 2 * surface / (np.pi * n) for n in sizes}
 plots.lines({"measured": measured, "2a / (π n)": told}, x="points n", y="sampling floor", log=True)
 
 # %% [markdown]
-# So a Chamfer distance means nothing without its $n$. In this course we give it in multiples of the floor. (With few points the formula is a little too high: it takes the surface for flat, but around a thin leg
-# the back is near, too.)
+# So a Chamfer distance means nothing without its $n$. In this course we give it in multiples of the floor, of fresh samples: with shared ones the true deformation would score 0.
+# (With few points the formula is a little too high: it takes the surface for flat, but the other sides of a thin leg are near, too.)
 #
 # **It does not see density.** Put 80 % of the points on the left half of the table. Every point still has somebody near, and many may choose the same one. A distance that pairs points off,
 # one to one, is another matter. By how much will either grow?
@@ -250,7 +260,7 @@ plots.shapes([free, truth], labels=source.labels[0], part_names=source.part_name
 # %%
 from dsn_lite.chamfer import nearest
 
-[(target.labels[0][nearest(each, y)] == source.labels[0]).mean() for each in (free, truth)]
+[(target.labels[0][nearest(each, y)] == source.labels[0]).mean().round(2) for each in (free, truth)]
 
 # %% [markdown]
 # A Chamfer distance near 0 says that two sets cover each other. It does not say that legs stayed legs. This is why the paper does not move points freely: they move along a few directions that
@@ -283,7 +293,7 @@ def missed(family):
     return np.linalg.norm(guess - truth) / np.linalg.norm(x.points - truth)
 
 
-missed("table/four_legs"), missed("carton/two_flaps")
+print(f"table {missed('table/four_legs'):.0e}, carton {missed('carton/two_flaps'):.0%}")
 
 # %% [markdown]
 # **True transfer.** Do to $z$ what turned $x$ into $y$: add the change of the parameters. Those that mean the same carry the same name in all families of a category, so there is a true
@@ -450,5 +460,6 @@ None if own is ... else plots.picture(sheet(own.name), f"Twelve random shapes of
 # - *How* its points are sampled: "2K points randomly over each shape", by area or not, once or anew in each epoch. The authors' code takes them from clouds that were sampled beforehand, so
 #   the same samples come again and again.
 # - What the floor of its tables is. Its shapes fill a cube of edge 2. Ours, each enlarged to that, with 2048 points, have floors of $3.0 \cdot 10^{-3}$ (tables), $2.5 \cdot 10^{-3}$ (chairs) and
-#   $0.8 \cdot 10^{-3}$ (airplanes); it prints fitting distances of 8.05, 5.90 and 1.95, in the same unit. So a good third of these may be sampling.
+#   $0.8 \cdot 10^{-3}$ (airplanes); its fitting distances are 8.05, 5.90 and 1.95 $\cdot\, 10^{-3}$.
+#   If its shapes are like ours, a good third of that is sampling.
 # - That the authors' code takes the loss 100 times, which decides what the weight of every other term means.

@@ -15,7 +15,7 @@ CAB = {
     "belt_height": (0.225, 0.27),
     "cabin_height": (0.11, 0.2),
     "windscreen_slant": (0.0, 0.07),
-    "cargo_length": (0.48, 0.6),
+    "cargo_length": (0.48, 0.595),
 }
 TRUCK = ranges(MEANINGS, **CAB, cargo_height=(0.2, 0.44))
 TANKER = ranges(MEANINGS, **CAB, cargo_height=(0.19, 0.32))

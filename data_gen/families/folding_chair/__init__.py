@@ -10,6 +10,8 @@ from data_gen.joint import hinge
 from data_gen.part import cylinder, ellipse, joined, loft, section
 from data_gen.rig import FLOOR, Parameter, Rig
 
+GROUND = FLOOR + 0.045
+"""Where they stand: legs that swing through reach lower than they do at rest, and shall stay inside the cube."""
 FOLD = "turn of the rear legs towards the front ones, 0 where the chair is open"
 LEFT, RIGHT = (-1.0, 0.0, 0.0), (1.0, 0.0, 0.0)
 """The axes about which a positive angle lifts, and lowers, what points to the front."""
@@ -39,13 +41,13 @@ def crossed(p):
         *(_front_leg(p, name, x) for name, x in (("leg_1", half + t / 2), ("leg_2", -half - t / 2))),
         *(_rear_leg(p, name, x, rest) for name, x in (("leg_3", half + 1.5 * t), ("leg_4", -half - 1.5 * t))),
         *(_bar(p, *one) for one in bars),
-        hinge("legs", moved, "leg_1", LEFT, (half + t, FLOOR + CROSS * p.seat_height, 0), p.fold),
+        hinge("legs", moved, "leg_1", LEFT, (half + t, GROUND + CROSS * p.seat_height, 0), p.fold),
         hinge(
             "seat_hinge",
             ("seat",),
             "leg_1",
             LEFT,
-            (half, FLOOR + p.seat_height, _front(p, p.seat_height)),
+            (half, GROUND + p.seat_height, _front(p, p.seat_height)),
             LIFT * p.fold,
         ),
     )
@@ -66,23 +68,23 @@ def _front_leg(p, name, x):
     size, bend = (p.tube_size, p.tube_size), p.seat_height + 0.03
     z = _front(p, bend)
     stops = ((0, _front(p, 0)), (bend, z), (p.seat_height + p.back_height, z - LEAN * (p.back_height - 0.03)))
-    return loft(name, [section("y", (x, FLOOR + y, z), size) for y, z in stops], ellipse(8))
+    return loft(name, [section("y", (x, GROUND + y, z), size) for y, z in stops], ellipse(8))
 
 
 def _rear_leg(p, name, x, top):
-    low, high = (x, FLOOR, _rear(p, 0)), (x, FLOOR + top, _rear(p, top))
+    low, high = (x, GROUND, _rear(p, 0)), (x, GROUND + top, _rear(p, top))
     return strut(name, low, high, *2 * [(p.tube_size, p.tube_size)], ellipse(8))
 
 
 def _bar(p, name, half, line, y):
-    left, right = ((x, FLOOR + y, line(p, y)) for x in (-half, half))
+    left, right = ((x, GROUND + y, line(p, y)) for x in (-half, half))
     return strut(name, left, right, *2 * [(0.8 * p.tube_size, 0.8 * p.tube_size)], ellipse(8), "x")
 
 
 def _seat(p):
     """A seat whose upper side goes through the hinge."""
     z = _front(p, p.seat_height) + p.seat_depth / 2 - 0.05
-    at = (0, FLOOR + p.seat_height - p.seat_thickness / 2, z)
+    at = (0, GROUND + p.seat_height - p.seat_thickness / 2, z)
     return cushion("seat", at, (p.seat_width, p.seat_thickness, p.seat_depth))
 
 
@@ -90,7 +92,7 @@ def _back(p):
     """A panel between the upper ends of the front legs."""
     low, high = 0.5 * p.back_height, 0.48 * p.back_height
     z = _front(p, p.seat_height + 0.03) - LEAN * (low - 0.03)
-    foot = (0, FLOOR + p.seat_height + low, z)
+    foot = (0, GROUND + p.seat_height + low, z)
     return panel("back", foot, 2 * (p.seat_width,), high, p.back_thickness, LEAN * high)
 
 
@@ -106,7 +108,7 @@ HUB = -0.1
 
 def hoops(p):
     """Three frames that turn about one pair of hubs: the back with the front legs, the rear legs, and the seat."""
-    t, half, y = p.tube_size, p.seat_width / 2, FLOOR + p.seat_height - 0.02
+    t, half, y = p.tube_size, p.seat_width / 2, GROUND + p.seat_height - 0.02
     sides = (("1", 1, half + t / 2, FRONT_LEG), ("2", -1, half + t / 2, FRONT_LEG))
     sides += (("3", 1, half + 1.5 * t, -REAR_LEG), ("4", -1, half + 1.5 * t, -REAR_LEG))
     seat = (0, y + 0.02 - p.seat_thickness / 2, HUB - 0.07 + p.seat_depth / 2)
@@ -136,14 +138,14 @@ def _hoop(p, x, y):
 
 def _below(p, name, x, y, lean):
     """A leg from the hub to the floor."""
-    low, high = (x, FLOOR, HUB + lean * (y - FLOOR)), (x, y, HUB)
+    low, high = (x, GROUND, HUB + lean * (y - GROUND)), (x, y, HUB)
     return strut(name, low, high, *2 * [(p.tube_size, p.tube_size)], ellipse(8))
 
 
 def _cross(p, name, half, y, lean):
     """A bar between two legs, near the floor."""
-    up, size = 0.12 * (y - FLOOR), 2 * [(0.8 * p.tube_size, 0.8 * p.tube_size)]
-    left, right = ((x, FLOOR + up, HUB + lean * (y - FLOOR - up)) for x in (-half, half))
+    up, size = 0.12 * (y - GROUND), 2 * [(0.8 * p.tube_size, 0.8 * p.tube_size)]
+    left, right = ((x, GROUND + up, HUB + lean * (y - GROUND - up)) for x in (-half, half))
     return strut(name, left, right, *size, ellipse(8), "x")
 
 
@@ -176,7 +178,7 @@ FAMILIES = (
                 seat_height=(0.38, 0.46),
                 seat_depth=(0.34, 0.44),
                 seat_thickness=(0.02, 0.04),
-                back_height=(0.34, 0.5),
+                back_height=(0.34, 0.49),
                 back_thickness=(0.012, 0.02),
                 tube_size=(0.02, 0.034),
             ),
