@@ -11,7 +11,7 @@ from data_gen.handles import handles
 from data_gen.make import generate, pieces, resample
 from data_gen.meshes import mesh, save_mesh
 from data_gen.normalise import normalised
-from data_gen.paper import paper
+from data_gen.paper_data import paper
 from data_gen.sample import Collection
 from data_gen.shards import save_shards
 from data_gen.truth import true_deformation, true_transfer, valid_space

@@ -3,6 +3,7 @@
 import itertools
 import sys
 import webbrowser
+from functools import partial
 from pathlib import Path
 from typing import Annotated, Literal
 
@@ -13,6 +14,7 @@ from tyro.conf import Positional, UseAppendAction, arg
 import data_gen
 from data_gen import catalogue, describe
 from data_gen.gallery import write_page
+from data_gen.make import checked_seed
 from data_gen.meshes import save_mesh
 
 Family = Annotated[Positional[str], arg(metavar="FAMILY")]
@@ -64,13 +66,13 @@ def generate(
     if (out is None) == (shards is None):
         raise ValueError("generate: either --out or --shards must say where to write, got neither or both; give one")
     fixed = {name: value for name, value in map(_assigned, itertools.chain(*values))}
-    size = max(1, PIECE // points) if shards else count
+    size = max(1, PIECE // max(1, points)) if shards else count
     made = data_gen.pieces(families, count=count, points=points, seed=seed, sampling=sampling, fixed=fixed, size=size)
-    made = (_degraded(piece, noise, seen_from, seed + i) for i, piece in enumerate(made))
+    made = map(partial(_degraded, noise, seen_from, seed), made, itertools.count(0, size))
     if out is not None:
         data_gen.save(next(made), out)
     else:
-        data_gen.save_shards(tqdm(made, total=-(-count // size), unit="piece"), shards)
+        data_gen.save_shards(_watched(made, -(-count // size)), shards)
     print(f"{out or shards}: {count} shapes of {points} points")
 
 
@@ -101,6 +103,7 @@ def show(family: Family, /, *, out: Path | None = None, seed: int = 0, open: boo
     out = Path(f"{catalogue.file_name(family)}.html") if out is None else out
     if out.suffix != ".html":
         raise ValueError(f"show: --out must end in .html, got {out.name}; the picture is written beside it")
+    seed = checked_seed(seed, "show")
     write_page(family, out, seed)
     catalogue.write_picture(family, out.with_suffix(".png"), seed)
     print(out)
@@ -119,7 +122,7 @@ def sheet(names: Families = (), /, *, out: Path, seed: int = 0) -> None:
     """
     names = catalogue.chosen(names)
     catalogue.write_sheets(names, out, seed)
-    print(f"{out / 'index.html'}: {len(names)} families")
+    print(f"{out / 'index.html'}: {len(names)} {'family' if len(names) == 1 else 'families'}")
 
 
 def mesh(family: Family, /, *, out: Path, values: Values = ()) -> None:
@@ -153,9 +156,14 @@ def paper(*, out: Path, only: str | None = None, lite: bool = False) -> None:
     print(f"{out / 'README.md'} says what is what")
 
 
-def _degraded(piece, noise, direction, seed):
-    piece = data_gen.seen_from(piece, direction, seed) if direction is not None else piece
-    return data_gen.noisy(piece, noise, seed) if noise else piece
+def _degraded(noise, direction, seed, piece, first):
+    piece = data_gen.seen_from(piece, direction, seed, first=first) if direction is not None else piece
+    return data_gen.noisy(piece, noise, seed, first=first) if noise else piece
+
+
+def _watched(pieces, count):
+    """The pieces, with a bar of progress from the second on: what is refused shows none."""
+    yield from tqdm(itertools.chain([next(pieces)], pieces), total=count, unit="piece")
 
 
 def _assigned(text):

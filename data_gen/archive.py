@@ -2,7 +2,6 @@
 
 import json
 import zipfile
-import zlib
 from pathlib import Path
 
 import numpy as np
@@ -11,6 +10,8 @@ from data_gen.checks import check
 from data_gen.files import beside
 from data_gen.sample import KEYS, as_collection, parsed, stored
 from data_gen.shards import load_shards
+
+DAMAGED = "be whole, got a truncated or damaged file; copy it again"
 
 
 def save(collection, path):
@@ -32,30 +33,50 @@ def load(path):
     """
     path = Path(path)
     if path.is_dir():
-        return load_shards(path)
+        return _folder(path)
     if not path.is_file():
         raise ValueError(f"load: {path} must be a sample file, got no file of that name; check the path")
     with path.open("rb") as start:
         if start.read(4) != b"PK\3\4":
             raise ValueError(f"load: {path.name} must be a sample file (.npz), got another kind; write it with save")
-    found, where = _held(path), f"load: {path.name}"
+    where = f"load: {path.name}"
+    found = _held(path, where)
     collection = as_collection(found, parsed(str(found.pop("about", "{}")), where), where)
     check(collection, where)
     return collection
 
 
-def _held(path):
+def _folder(path):
+    try:
+        return load_shards(path)
+    except UnicodeDecodeError:
+        raise ValueError(
+            f"load: {path.name} must hold UTF-8 text in about.json, got other bytes; copy it again"
+        ) from None
+
+
+def _held(path, where):
+    found, key = {}, ""
     try:
         with zipfile.ZipFile(path) as archive:
             held = set(archive.namelist())
-            return {key: _read(archive, key) for key in KEYS if f"{key}.npy" in held}
-    except (zipfile.BadZipFile, zlib.error, EOFError, OSError):
-        raise ValueError(f"load: {path.name} must be whole, got a truncated or damaged file; copy it again") from None
-    except ValueError:
-        raise ValueError(
-            f"load: {path.name} must hold plain arrays, got Python objects, as clouds of mixed n become; "
-            "sample all shapes with the same number of points"
-        ) from None
+            for key in KEYS:
+                if f"{key}.npy" in held:
+                    found[key] = _read(archive, key)
+    except Exception as trouble:  # zip, zlib, numpy and Python's own parser each fail in their way on broken bytes
+        plain = "Object arrays" not in str(trouble)
+        raise ValueError(f"{where} must {DAMAGED if plain else _objects(key)}") from None
+    return found
+
+
+def _objects(key):
+    """What is wrong where an array holds Python objects."""
+    cause = (
+        "in points, as clouds of mixed n become; sample all shapes with the same number of points"
+        if key == "points"
+        else f"in {key}; write it with save"
+    )
+    return f"hold plain arrays, got Python objects {cause}"
 
 
 def _read(archive, key):

@@ -3,7 +3,7 @@
 import numpy as np
 
 from data_gen.joint import parents
-from data_gen.sample import SAMPLED, SHARED, VERSION, Collection
+from data_gen.sample import AXES_IF_SHARED, SAMPLED, VERSION, Collection
 
 AT_ONCE = 2**18
 """Numbers that are worked on at once: few enough to be small beside a collection, and enough to be fast."""
@@ -44,7 +44,7 @@ def _empty(rigs, which, like):
     arrays = {key: np.full((N, *shape), np.nan, like.points.dtype) for key, shape in wide.items()}
     for key, shape in SAMPLED.items():
         value = getattr(like, key)
-        keep = len(rigs) == 1 and value.ndim == SHARED.get(key)
+        keep = len(rigs) == 1 and value.ndim == AXES_IF_SHARED.get(key)
         arrays[key] = value if keep else np.zeros((N, n, *shape), value.dtype)
     families = which if len(rigs) > 1 else None
     return Collection(**arrays, parameter_names=parameter_names, part_names=part_names, families=families)
@@ -55,7 +55,7 @@ def _fill(made, one, rows):
     columns = [made.parameter_names.index(name) for name in one.parameter_names]
     for key in SAMPLED:
         array, value = getattr(made, key), getattr(one, key)
-        if array.ndim != SHARED.get(key):
+        if array.ndim != AXES_IF_SHARED.get(key):
             array[rows] = parts.take(value) if key == "labels" else value
     places = {"boxes": parts, "parameters": columns, "joints": np.arange(one.joints.shape[1])}
     for key, own in places.items():

@@ -10,8 +10,9 @@ from tqdm import tqdm
 
 from data_gen.families import categories, families
 from data_gen.families import family as rig_of
-from data_gen.files import beside
+from data_gen.files import beside, check_folder
 from data_gen.gallery import write_page
+from data_gen.make import checked_seed
 from data_gen.sheet import GREY, INK, PAPER, font, painted, sheet, window
 
 COLUMNS, CELL, HEAD = 17, 84, 24
@@ -31,11 +32,12 @@ img {{ display: block; width: 160px; }}
 def write_sheets(names, folder, seed=0):
     """Write picture, page and thumbnail of every family, index.html and overview.png to a folder, made if missing.
 
-    Raises ValueError for an unknown family, before anything is written.
+    Raises ValueError for an unknown family, a bad seed or a file in the folder's place, before anything is written.
     """
     for name in names:
         rig_of(name)
-    folder = Path(folder)
+    folder, seed = Path(folder), checked_seed(seed, "sheet")
+    check_folder(folder, "sheet")
     folder.mkdir(parents=True, exist_ok=True)
     for name in tqdm(names, desc="contact sheets", unit="family"):
         write_picture(name, folder / f"{file_name(name)}.png", seed)

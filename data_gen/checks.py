@@ -7,20 +7,33 @@ WHOLE = ("labels", "faces", "families")
 
 
 def check(collection, where):
-    """Raise ValueError, beginning with `where`, unless the collection keeps the contract."""
+    """Raise ValueError, beginning with `where`, unless it is a collection that keeps the contract."""
+    check_kind(collection, where)
     check_shapes(collection, where)
     _check_finite(collection, where)
     _check_labels(collection, where)
     _check_families(collection, where)
 
 
+def check_kind(collection, where):
+    """Raise ValueError, beginning with `where`, unless this is a Collection: shapes of other packages are not."""
+    if not hasattr(type(collection), "families_known"):
+        raise ValueError(
+            f"{where}: shapes must be a Collection of data_gen, got {type(collection).__name__}; take what generate or "
+            "load gives, or make a Collection of points"
+        )
+
+
 def check_shapes(collection, where):
-    """The same for shapes and types alone: nothing of the arrays is read."""
-    _check_points(collection.points, where)
+    """The same as `check` for shapes and types alone: nothing of the arrays is read."""
     for key in (*REALS, *WHOLE):
-        value, (kind, word) = getattr(collection, key), ("f", "floats") if key in REALS else ("i", "integers")
-        if value is not None and value.dtype.kind != kind:
-            raise ValueError(f"{where}: {key} must be {word}, got {value.dtype}; write the file with save")
+        value, (kinds, word) = getattr(collection, key), ("fiu", "real") if key in REALS else ("iu", "whole")
+        if not isinstance(value, np.ndarray) and (value is not None or key == "points"):
+            raise ValueError(f"{where}: {key} must be an array, got {type(value).__name__}; wrap it in numpy.asarray")
+        if value is not None and value.dtype.kind not in kinds:
+            raise ValueError(f"{where}: {key} must be {word} numbers, got {value.dtype}; write the file with save")
+    _check_points(collection.points, where)
+    _check_about(collection.about, where)
     for key, shapes in _shapes(collection).items():
         value = getattr(collection, key)
         if value is not None and np.shape(value) not in shapes:
@@ -29,12 +42,25 @@ def check_shapes(collection, where):
 
 
 def _check_points(points, where):
-    if points.ndim != 3 or points.shape[-1] != 3 or points.dtype.kind != "f":
-        raise ValueError(
-            f"{where}: points must be (N, n, 3) floats, got {points.shape} {points.dtype}; stack the clouds"
-        )
+    if points.ndim != 3 or points.shape[-1] != 3:
+        raise ValueError(f"{where}: points must be (N, n, 3), got {points.shape}; stack the clouds")
     if points.shape[0] < 1 or points.shape[1] < 2:
         raise ValueError(f"{where}: points must hold a shape of two points or more, got {points.shape}; sample more")
+
+
+def _check_about(about, where):
+    if not isinstance(about, dict):
+        raise ValueError(f"{where}: about must be a dict, got {type(about).__name__}; take that of the collection")
+    families = about.get("families", [])
+    if not _are_texts(families) or not isinstance(about.get("family", ""), str):
+        said = families if "families" in about else about["family"]
+        raise ValueError(
+            f"{where}: about must name its family, or list its families, as text, got {said!r}; write it with save"
+        )
+
+
+def _are_texts(value):
+    return isinstance(value, (list, tuple)) and all(isinstance(one, str) for one in value)
 
 
 def _shapes(collection):

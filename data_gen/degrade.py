@@ -11,7 +11,7 @@ import numpy as np
 
 from data_gen.draw import FRESH
 from data_gen.families import family as rig_of
-from data_gen.make import own_parameters, resample
+from data_gen.make import NOISE, VIEW, check_some, checked_seed, own_parameters, resample, stream
 from data_gen.sample import SAMPLED
 from data_gen.visible import visible
 
@@ -19,30 +19,34 @@ CANDIDATES = 4
 """So many samples are drawn at first for each that is to be seen; then twice as many, and so on."""
 
 
-def noisy(collection, deviation, seed=0):
-    """The same clouds with Gaussian noise on every coordinate, of a standard deviation in units of the file.
+def noisy(collection, deviation, seed=0, *, first=0):
+    """The same clouds with Gaussian noise on every coordinate, of a standard deviation in the unit that `about` says.
 
+    A piece of a larger collection, of the rows from `first` on, gets the noise that it gets in the whole.
     Raises ValueError for a negative deviation.
     """
     if not 0 <= deviation < np.inf:
         raise ValueError(f"noisy: deviation must be finite and >= 0, got {deviation}; 0.005 is a good scanner's")
-    points = collection.points
-    noise = np.random.default_rng(seed).standard_normal(points.shape, points.dtype)
+    points, seed = collection.points, checked_seed(seed, "noisy")
+    noise = np.zeros(points.shape, points.dtype)
+    for row, cloud in enumerate(noise, first):
+        np.random.default_rng(stream(seed, NOISE, row)).standard_normal(dtype=points.dtype, out=cloud)
     noise *= deviation
     noise += points
     said = {"noise": {"deviation": float(deviation), "seed": seed}}
     return replace(collection, points=noise, about={**collection.about, **said})
 
 
-def seen_from(collection, direction, seed=0):
+def seen_from(collection, direction, seed=0, *, first=0):
     """The same shapes with as many new samples, all of them visible to an eye far away in a direction (3,).
 
     Visible are points on faces turned to the eye that no part of the shape hides, area-weighted. (0, 0, 1) sees the
     front, (0, 1, 0) what is up; a direction from which all is hidden does not exist. Noise comes after, not before.
-    Raises ValueError for a direction of no length, and for shapes that do not say what they were made from, or are not
-    in the unit of their family.
+    A piece of a larger collection, of the rows from `first` on, is seen as it is in the whole.
+    Raises ValueError for a direction of no length, for no shapes, and for shapes that do not say what they were made
+    from, or are not in the unit of their family.
     """
-    direction = _unit(direction)
+    direction, seed = _unit(direction), checked_seed(seed, "seen_from")
     if not collection.families_known or collection.parameters is None or collection.about.get("normalised"):
         raise ValueError(
             "seen_from: shapes must hold their family and parameters, in the family's unit, got points only or "
@@ -50,8 +54,9 @@ def seen_from(collection, direction, seed=0):
         )
     view = {"view": {"direction": direction.tolist(), "seed": seed}, "sampling": FRESH, "corresponds": False}
     about = {key: value for key, value in collection.about.items() if key != "noise"} | view
-    clean, seeds = replace(collection, about=about), np.random.SeedSequence(seed).generate_state(len(collection))
-    rows = [_seen(clean[i], direction, int(own)) for i, own in enumerate(seeds)]
+    check_some(collection, "seen_from")
+    clean, own = replace(collection, about=about), stream(seed, VIEW).generate_state(first + len(collection), np.uint64)
+    rows = [_seen(clean[i], direction, int(one)) for i, one in enumerate(own[first:])]
     return replace(clean, **{key: np.stack([row[key] for row in rows]) for key in SAMPLED})
 
 

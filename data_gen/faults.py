@@ -3,38 +3,36 @@
 import numpy as np
 
 from data_gen import fits
+from data_gen.form import misformed
 from data_gen.part import volumes
 from data_gen.rig import FLOOR
 
-TRIED = 64
+TRIED, BETWEEN = 64, 256
 EXACT = 1e-9
 THINNEST = 0.004
 """No edge of a part is shorter, so that no part is flat."""
 
 
 def faults(rig, seed=0):
-    """Sentences, none where the rig is sound; it is tried at 64 random shapes and at 64 corners of its ranges."""
-    if found := list(_unknown(rig)):
+    """Sentences, none where the rig is sound; it is tried at 64 random shapes and at 64 corners of its ranges.
+
+    Where parts turn, also at 256 corners of the lengths with random angles between.
+    """
+    if found := misformed(rig):
         return found
     generator = np.random.default_rng(seed)
-    ends = np.where(generator.random((TRIED, len(rig.parameters))) < 0.5, rig.low, rig.high)
-    parameters = np.concatenate([rig.draw(TRIED, generator), ends, rig.low[None], rig.high[None]])
+    corners = _corners(rig, TRIED, generator)
+    parameters = np.concatenate([rig.draw(TRIED, generator), corners, rig.low[None], rig.high[None]])
     if found := list(_bent(rig, parameters)):
         return found  # what follows counts on the linear map
+    if not rig.linear:
+        parameters = np.concatenate([parameters, rig.between(_corners(rig, BETWEEN, generator), generator)])
     laws = (_idle, _outside, _thin, _turned_out, _off_the_floor, _apart, _beside, _uneven, _unhinged)
     return [fault for law in laws for fault in law(rig, parameters)]
 
 
-def _unknown(rig):
-    """Names that are declared but are no part's, and contacts of no known kind."""
-    for contact in rig.contacts:
-        if contact.kind not in fits.SIDES:
-            yield f"the contact of {contact.first} and {contact.second} must be one of {', '.join(fits.SIDES)}"
-    pairs = {"symmetric": rig.symmetric, "contacts": [contact[:2] for contact in rig.contacts]}
-    pairs["joints"] = [(joint.on, *joint.parts) for joint in rig.joint_list]
-    for where, declared in pairs.items():
-        for name in sorted({name for pair in declared for name in pair} - set(rig.part_names)):
-            yield f"{where} names the part {name!r}, but the parts are {', '.join(rig.part_names)}"
+def _corners(rig, count, generator):
+    return np.where(generator.random((count, len(rig.parameters))) < 0.5, rig.low, rig.high)
 
 
 def _bent(rig, parameters):
@@ -58,7 +56,7 @@ def _outside(rig, parameters):
         reach = vertices[:, rig.vertex_part == i].transpose(2, 0, 1).reshape(3, -1)
         axis, at = divmod(int(np.abs(reach).argmax()), reach.shape[1])
         if abs(reach[axis, at]) > 0.5 + EXACT:
-            yield f"part {name} reaches {'xyz'[axis]} = {reach[axis, at]:.3g}, outside [-0.5, 0.5]; narrow a range"
+            yield f"part {name} reaches {'xyz'[axis]} = {reach[axis, at]:.6g}, outside [-0.5, 0.5]; narrow a range"
 
 
 def _thin(rig, parameters):

@@ -15,12 +15,19 @@ def gaps(rig, parameters):
 
 
 def asymmetries(rig, parameters):
-    """Largest distance (N, S), in the rest pose, of a part's vertices from the mirror image of its partner's."""
-    vertices, found = rig.rest_vertices(parameters), np.zeros((len(parameters), len(rig.symmetric)))
+    """Largest distance (N, S), in the rest pose, of a part's vertices from the mirror image of its partner's.
+
+    All is linear, so who mirrors whom at one shape at random does so at all; each vertex looks there for its partner.
+    """
+    vertices, tried = rig.rest_vertices(parameters), rig.rest_vertices(rig.draw(1, np.random.default_rng(0)))[0]
+    found = np.zeros((len(parameters), len(rig.symmetric)))
     for i, (one, other) in enumerate(rig.symmetric):
-        own, image = (vertices[:, rig.vertex_part == rig.part_names.index(name)] for name in (one, other))
-        apart = np.abs(own[:, :, None] - (image * MIRROR)[:, None]).max(axis=-1)
-        found[:, i] = np.maximum(apart.min(axis=2).max(axis=1), apart.min(axis=1).max(axis=1))
+        own, image = (np.flatnonzero(rig.vertex_part == rig.part_names.index(name)) for name in (one, other))
+        apart = sum(abs(tried[own, None, axis] - MIRROR[axis] * tried[image, axis]) for axis in range(3))
+        pairs = [(own, image[apart.argmin(axis=1)]), (own[apart.argmin(axis=0)], image)]
+        for here, there in pairs[: 1 if one == other else 2]:
+            off = np.abs(vertices[:, here] - vertices[:, there] * MIRROR).max(axis=(1, 2))
+            found[:, i] = np.maximum(found[:, i], off)
     return found
 
 

@@ -24,13 +24,19 @@ class Joint(NamedTuple):
 
 
 def hinge(name, parts, on, axis, pivot, angle):
-    """Parts turn about the axis through the pivot by an angle in radians, counterclockwise seen against the axis."""
-    return Joint(name, HINGE, tuple(parts), on, _unit(axis), pivot, angle)
+    """Parts turn about the axis through the pivot by an angle in radians, counterclockwise seen against the axis.
+
+    Raises ValueError for an axis without a direction.
+    """
+    return Joint(name, HINGE, tuple(parts), on, _unit(axis, f"{HINGE} {name}"), pivot, angle)
 
 
 def slide(name, parts, on, axis, pivot, distance):
-    """Parts shift along the axis; the pivot is where to draw it."""
-    return Joint(name, SLIDE, tuple(parts), on, _unit(axis), pivot, distance)
+    """Parts shift along the axis; the pivot is where to draw it.
+
+    Raises ValueError for an axis without a direction.
+    """
+    return Joint(name, SLIDE, tuple(parts), on, _unit(axis, f"{SLIDE} {name}"), pivot, distance)
 
 
 def turns(axis, angles):
@@ -60,6 +66,8 @@ def parents(joints):
     return [next((i for i, one in enumerate(joints) if joint.on in one.parts), -1) for joint in joints]
 
 
-def _unit(axis):
-    axis = np.asarray(axis, np.float64)
-    return tuple((axis / np.linalg.norm(axis)).tolist())
+def _unit(axis, where):
+    found = np.asarray(axis, np.float64)
+    if found.shape != (3,) or not 0 < np.linalg.norm(found) < np.inf:
+        raise ValueError(f"{where}: axis must be three numbers, not all 0, got {axis}; (0, 1, 0) is upwards")
+    return tuple((found / np.linalg.norm(found)).tolist())

@@ -10,7 +10,7 @@ from types import SimpleNamespace
 import numpy as np
 
 from data_gen.areas import Areas
-from data_gen.joint import Joint
+from data_gen.joint import HINGE, Joint
 from data_gen.part import Part
 
 ROUNDING = 1e-6
@@ -53,9 +53,14 @@ class Linear:
         return (self.low + self.high)[None] / 2
 
     @cached_property
+    def in_the_middle(self):
+        """What `build` makes of the parameters in the middle of their ranges."""
+        return self.build(self.named(self.middle))
+
+    @cached_property
     def joint_list(self):
         """The joints, each after the one that carries it."""
-        return tuple(one for one in self.build(self._named(self.middle)) if isinstance(one, Joint))
+        return tuple(one for one in self.in_the_middle if isinstance(one, Joint))
 
     @cached_property
     def joint_of(self):
@@ -110,14 +115,13 @@ class Linear:
             )
         return parameters
 
+    def named(self, parameters):
+        """Parameters (N, p) as `build` takes them: a namespace of (N,) arrays."""
+        return SimpleNamespace(**dict(zip(self.parameter_names, parameters.T, strict=True)))
+
     def built(self, parameters):
         """What `build` says, asked directly: rest vertices (N, V, 3), pivots (N, J, 3) and values (N, J) of joints."""
-        N, built = len(parameters), self.build(self._named(parameters))
-        parts, joints = ([one for one in built if isinstance(one, kind)] for kind in (Part, Joint))
-        vertices = [np.broadcast_to(part.vertices, (N, *part.vertices.shape[1:])) for part in parts]
-        columns = [np.broadcast_to(value, N) for joint in joints for value in (*joint.pivot, joint.value)]
-        hung = np.stack([*columns, np.zeros(N)], axis=1)[:, :-1].reshape(N, len(joints), 4)
-        return np.concatenate(vertices, axis=1), hung[:, :, :3], hung[:, :, 3]
+        return _arrays(self.build(self.named(parameters)), len(parameters))
 
     @cached_property
     def slopes(self):
@@ -128,6 +132,15 @@ class Linear:
         reach = np.diag(self.high - self.low) / 2
         ends = zip(self.built(self.middle + reach), self.built(self.middle - reach), strict=True)
         return tuple(((high - low).T / (self.high - self.low)).T for high, low in ends)
+
+    @cached_property
+    def turning(self):
+        """Which parameters (p,) turn hinges; while they stay as they are, all is linear in the others."""
+        return (self.slopes[2][:, [joint.kind == HINGE for joint in self.joint_list]] != 0).any(axis=1)
+
+    def between(self, parameters, generator):
+        """Parameters (N, p) with all that turns hinges drawn anew: turning parts reach farthest between the corners."""
+        return np.where(self.turning, self.draw(len(parameters), generator), parameters)
 
     def rest_vertices(self, parameters):
         """Vertices (N, V, 3) in the rest pose, all joints at 0, at parameters (N, p), in or out of their ranges."""
@@ -163,11 +176,11 @@ class Linear:
 
     @cached_property
     def _parts(self):
-        return [one for one in self.build(self._named(self.middle)) if isinstance(one, Part)]
+        return [one for one in self.in_the_middle if isinstance(one, Part)]
 
     @cached_property
     def _at_middle(self):
-        return self.built(self.middle)
+        return _arrays(self.in_the_middle, 1)
 
     def _at(self, parameters, which):
         return self._at_middle[which] + np.tensordot(parameters - self.middle, self.slopes[which], axes=1)
@@ -196,5 +209,11 @@ class Linear:
         found = np.flatnonzero(kept)
         return found, np.searchsorted(self.vertex_part[found], np.arange(len(self._parts)))
 
-    def _named(self, parameters):
-        return SimpleNamespace(**dict(zip(self.parameter_names, parameters.T, strict=True)))
+
+def _arrays(built, N):
+    """Vertices (N, V, 3), pivots (N, J, 3) and values (N, J) of the parts and joints of N shapes."""
+    parts, joints = ([one for one in built if isinstance(one, kind)] for kind in (Part, Joint))
+    vertices = [np.broadcast_to(part.vertices, (N, *part.vertices.shape[1:])) for part in parts]
+    columns = [np.broadcast_to(value, N) for joint in joints for value in (*joint.pivot, joint.value)]
+    hung = np.stack([*columns, np.zeros(N)], axis=1)[:, :-1].reshape(N, len(joints), 4)
+    return np.concatenate(vertices, axis=1), hung[:, :, :3], hung[:, :, 3]

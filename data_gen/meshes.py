@@ -13,9 +13,12 @@ from data_gen.files import beside
 
 
 def mesh(family, parameters):
-    """A trimesh.Scene of the shape with parameters (p,), its parts by name. Raises ValueError for one out of range."""
+    """A trimesh.Scene of the shape with parameters (p,), its parts by name.
+
+    Raises ValueError for parameters that are no numbers or out of range.
+    """
     rig = rig_of(family)
-    parameters = rig.check(np.asarray(parameters)[None], "mesh")
+    parameters = rig.check(_numbers(parameters, rig)[None], "mesh")
     vertices, scene = rig.vertices(parameters)[0], trimesh.Scene()
     for i, (name, colour) in enumerate(zip(rig.part_names, colours(family), strict=True)):
         scene.add_geometry(_part(rig, i, vertices, colour), node_name=name, geom_name=name)
@@ -35,6 +38,16 @@ def save_mesh(scene, path):
     for name, content in EXPORTS[path.suffix.lower()](scene, path).items():
         with beside(path.with_name(name)) as part:
             part.write_bytes(content)
+
+
+def _numbers(parameters, rig):
+    try:
+        return np.asarray(parameters, np.float64)
+    except (TypeError, ValueError):
+        wanted = ", ".join(rig.parameter_names)
+        raise ValueError(
+            f"mesh: parameters must be numbers for {wanted}, got {str(parameters)[:40]}; give a list in this order"
+        ) from None
 
 
 def _part(rig, i, vertices, colour):

@@ -154,14 +154,6 @@ class Rig(Linear):
             found[i] = blend(edges, Samples(*row))
         return found
 
-    def true_transfer(self, samples, p_z, p_x, p_y, clip=False):
-        """What turned x into y, done to the samples of z: points (N, n, 3) at p_z + p_y - p_x, each (N, p).
-
-        Raises ValueError if that leaves a range; with `clip` the end of the range is taken instead.
-        """
-        p_new = np.asarray(p_z, np.float64) + np.asarray(p_y, np.float64) - np.asarray(p_x, np.float64)
-        return self.place(samples, np.clip(p_new, self.low, self.high) if clip else p_new)
-
     def _motions(self, parameters):
         """How each part has moved from the rest pose: turns (N, P, 3, 3) and shifts (N, P, 3)."""
         N, P = len(parameters), len(self.part_names)

@@ -19,10 +19,12 @@ N shapes, n points, P parts, p parameters, J joints:
 | families        | (N,) i2         | index into the families of `about`, where it names several                  |
 | about           | text            | JSON: family or families, seed, axes, sampling, and each family's truth     |
 
-Part names that end in _1, _2, ... are parts of one kind: leg_1 and leg_2 are legs. A joint's axis and pivot are where
+Part names that end in _1, _2, ..., or in _left, _right, _front, _rear, _back, _top, _bottom, are parts of one kind:
+leg_1 and leg_2 are legs, wing_left and wing_right wings (NUMBERED in `colours.py`). A joint's axis and pivot are where
 they stand in the shape; `about` says what parts it moves, `on` which part it hangs, and which joint carries it (-1:
-none). It may also say `split`, rows {"train": [start, stop], "validation": [...], "test": [...]}; `fixed`, parameters
-that do not vary; `normalised`, where each cloud has a cube of its own; `noise` and `view`, where clouds were degraded.
+none). Its `contacts` list flush faces only: parts that are set into each other touch too, but are not listed. It may
+also say `split`, rows {"train": [start, stop], "validation": [...], "test": [...]}; `fixed`, parameters that do not
+vary; `normalised`, where each cloud has a cube of its own; `noise` and `view`, where clouds were degraded.
 """
 
 import json
@@ -35,6 +37,7 @@ from data_gen.points import Samples
 
 VERSION = 1
 """Of this contract, not of the package."""
+MOST = np.iinfo(np.int16).max
 STORED = dict.fromkeys(REALS, "<f4") | dict.fromkeys(WHOLE, "<i2")
 NAMES = ("parameter_names", "part_names", "names")
 
@@ -68,7 +71,7 @@ class Collection:
         }  # its rows are those of the whole
         for key in PER_SHAPE:
             value = getattr(self, key)
-            if value is not None and not (key in SHARED and np.ndim(value) == SHARED[key]):
+            if value is not None and np.ndim(value) != AXES_IF_SHARED.get(key):
                 taken[key] = tuple(np.array(value, object)[kept]) if key == "names" else value[kept]
         return replace(self, **taken)
 
@@ -95,30 +98,52 @@ KEYS = tuple(key.name for key in fields(Collection))
 PER_SHAPE = tuple(key for key in KEYS if key not in ("parameter_names", "part_names", "about"))
 SAMPLED = {"points": (3,), "labels": (), "rest": (3,), "faces": (), "weights": (2,)}
 """What there is of each point, and of what shape."""
-SHARED = {"labels": 1, "rest": 2, "faces": 1, "weights": 2}
+AXES_IF_SHARED = {"labels": 1, "rest": 2, "faces": 1, "weights": 2}
 """Numbers of axes of what all shapes may share."""
 
 
 def stored(key, value):
-    """What a file holds of a key: an array of the type that the contract says."""
+    """What a file holds of a key: an array of the type that the contract says. Raises ValueError if it has no room."""
+    if key in WHOLE and not -MOST - 1 <= value.min() <= value.max() <= MOST:
+        raise ValueError(f"save: {key} must be {MOST} at most, got {value.max()}; that is all a file has room for")
     return np.asarray(value, STORED.get(key, "U"), order="C")
 
 
 def parsed(text, where):
-    """What `about` says. Raises ValueError, beginning with `where`, if that is no JSON object."""
+    """What `about` says. Raises ValueError, beginning with `where`, if that is no JSON object, or lists no `arrays`."""
     try:
         about = json.loads(text)
-    except json.JSONDecodeError:
+    except (ValueError, RecursionError):
         about = None
     if not isinstance(about, dict):
         raise ValueError(f"{where} must hold a JSON object in about, got {text[:40]!r}; write it with data_gen")
+    arrays = about.get("arrays", [])
+    if not isinstance(arrays, list) or not all(isinstance(key, str) for key in arrays):
+        raise ValueError(f"{where} must list the names of its arrays in about, got {arrays!r}; write it with data_gen")
     return about
 
 
 def as_collection(found, about, where):
-    """A collection of the arrays found in a file. Raises ValueError, beginning with `where`, if points are missing."""
+    """A collection of the arrays found in a file; what the contract does not know is left out.
+
+    Raises ValueError, beginning with `where`, if points are missing or something is of another kind.
+    """
     if "points" not in found:
         held = ", ".join(sorted(found)) or "nothing we know"
         raise ValueError(f"{where} must hold an array called points, got {held}; name the clouds so")
-    texts = {key: tuple(found[key].tolist()) for key in NAMES if key in found}
-    return Collection(**{**found, **texts}, about=about)
+    known = {key: _taken(key, found[key], where) for key in KEYS if key in found and key != "about"}
+    return Collection(**known, about=about)
+
+
+def _taken(key, value, where):
+    """What others may write in another type, as it is used here: names as a tuple, whole coordinates as floats."""
+    if not isinstance(value, np.ndarray):
+        raise ValueError(f"{where}: {key} must be an array, got an archive of arrays; write it with data_gen")
+    if key in NAMES and (value.ndim != 1 or value.dtype.kind != "U"):
+        raise ValueError(
+            f"{where}: {key} must be a list of text, got {value.shape} {value.dtype}; write it with data_gen"
+        )
+    if key in NAMES:
+        return tuple(value.tolist())
+    real = key in REALS and value.dtype.kind in "iu"
+    return value.astype(np.float32) if real else value.astype(np.int64) if value.dtype.kind == "u" else value

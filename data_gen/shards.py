@@ -14,7 +14,7 @@ import numpy as np
 
 from data_gen.checks import check, check_shapes
 from data_gen.growing import Growing
-from data_gen.sample import KEYS, NAMES, PER_SHAPE, SHARED, as_collection, parsed, stored
+from data_gen.sample import AXES_IF_SHARED, KEYS, NAMES, PER_SHAPE, as_collection, parsed, stored
 
 ABOUT = "about.json"
 
@@ -73,7 +73,7 @@ class Shards:
         """Write what is not written row by row: names, what all shapes share, and `about`."""
         if self.first is None:
             raise ValueError("save_shards: there must be a piece or more, got none; take them from pieces")
-        whole = {key: getattr(self.first, key) for key in (*SHARED, *NAMES) if key not in self.growing}
+        whole = {key: getattr(self.first, key) for key in (*AXES_IF_SHARED, *NAMES) if key not in self.growing}
         whole = {key: value for key, value in {**whole, "names": self.names or None}.items() if value is not None}
         for key, value in whole.items():
             np.save(self.folder / f"{key}.npy", stored(key, value), allow_pickle=False)
@@ -85,7 +85,7 @@ class Shards:
 def _growing(piece):
     """The keys of which every piece brings rows of its own."""
     held = (key for key in PER_SHAPE if key != "names" and getattr(piece, key) is not None)
-    return [key for key in held if getattr(piece, key).ndim != SHARED.get(key)]
+    return [key for key in held if getattr(piece, key).ndim != AXES_IF_SHARED.get(key)]
 
 
 def _check_alike(first, piece, row):
@@ -103,7 +103,7 @@ def _alike(key, one, other):
         return one is other
     if key == "about":
         return one == other
-    if key in PER_SHAPE and not np.ndim(one) == np.ndim(other) == SHARED.get(key):
+    if key in PER_SHAPE and not np.ndim(one) == np.ndim(other) == AXES_IF_SHARED.get(key):
         return np.shape(one)[1:] == np.shape(other)[1:] and np.ndim(one) == np.ndim(other)
     return np.array_equal(one, other)
 
@@ -122,7 +122,7 @@ def _mapped(path, key, where):
 def _check_free(path):
     if not path.parent.is_dir():
         raise ValueError(f"save_shards: its folder must exist, got {path.parent}; make the folder first")
-    if path.exists() and (not path.is_dir() or any(path.iterdir())):
+    if path.exists() and (not path.name or not path.is_dir() or any(path.iterdir())):
         raise ValueError(f"save_shards: {path} must be new or an empty folder, got one that is not; choose another")
 
 

@@ -1,5 +1,7 @@
 """The contact sheet of a family as a picture: twelve random shapes, and what each parameter does."""
 
+from functools import lru_cache
+
 import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
@@ -38,9 +40,10 @@ def sheet(family, seed=0):
     return _stacked([_head(rig), _random(rig, seed), below, _sweeps(rig)])
 
 
-def sweep(rig, i, size=SMALL):
+@lru_cache(maxsize=32)  # a page shows them after the picture
+def sweep(rig, i):
     """The five shapes of one parameter's sweep side by side, a PIL image."""
-    return _row(painted(rig, sweeps(rig)[i], size, window(rig, sweeps(rig).reshape(-1, len(rig.parameters)))))
+    return _row(painted(rig, sweeps(rig)[i], SMALL, window(rig, sweeps(rig).reshape(-1, len(rig.parameters)))))
 
 
 def range_of(parameter):

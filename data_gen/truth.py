@@ -6,6 +6,7 @@ is carried over by name, and a parameter that the third shape lacks changes noth
 
 import numpy as np
 
+from data_gen.checks import check_kind
 from data_gen.families import family as rig_of
 from data_gen.joint import HINGE, parents, turns
 from data_gen.points import Samples, blend, edges_of
@@ -29,10 +30,11 @@ def true_deformation(x, y):
 def true_transfer(x, y, z, clip=False):
     """What turned x into y, done to z: the samples of z, points (N, n, 3) float64.
 
-    x, y and z are collections of N shapes. Raises ValueError if a parameter of z leaves its range, with its name, row
-    and range; with `clip` it stops at the end of its range instead.
+    x, y and z are collections of N shapes, each triplet of one category. Raises ValueError where a triplet is not, and
+    if a parameter of z leaves its range, with its name, row and range; with `clip` it stops at the end of its range.
     """
     _check((x, y, z), "true_transfer")
+    _check_categories((x, y, z))
     wanted = [_changed(x, y, z, i, clip) for i in range(len(z.points))]
     return np.concatenate([_placed(z, i, row) for i, row in enumerate(wanted)])
 
@@ -106,7 +108,19 @@ def _placed(collection, i, parameters):
     return rig.place(Samples(samples.faces[None], samples.weights[None]), parameters)
 
 
+def _check_categories(collections):
+    for i in range(len(collections[0])):
+        named = [one.family(i) for one in collections]
+        if len({rig_of(name).category for name in named}) > 1:
+            raise ValueError(
+                f"true_transfer: x, y and z must be of one category, got {', '.join(named)} in row {i}; take families "
+                "whose names begin alike"
+            )
+
+
 def _check(collections, where):
+    for one in collections:
+        check_kind(one, where)
     if len({len(one.points) for one in collections}) > 1:
         sizes = ", ".join(str(len(one.points)) for one in collections)
         raise ValueError(f"{where}: the collections must hold equally many shapes, got {sizes}; take rows of them")

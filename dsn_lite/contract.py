@@ -21,9 +21,7 @@ def assemble(known: dict[str, Any], where: str, *, lazy: bool = False) -> Shapes
 
     lazy: look at shapes and types alone, so that nothing of mapped arrays is read.
     """
-    about = known.get("about") or {}
-    if not isinstance(about, dict):
-        raise ValueError(f"{where}: about must be a JSON object, got {str(about)[:40]!r}; {CURE}")
+    about = _about(known.get("about") or {}, where)
     taken: dict[str, Any] = {"points": as_points(known["points"], where, lazy=lazy), "about": about}
     for name in REALS + WHOLE:
         if known.get(name) is not None:
@@ -31,8 +29,8 @@ def assemble(known: dict[str, Any], where: str, *, lazy: bool = False) -> Shapes
             taken[name] = value if name in WHOLE else value.to(taken["points"].dtype)
             _agree(name, taken[name], taken["points"], where)
     for name in TEXTS:
-        value = known.get(name)
-        taken[name] = tuple(str(word) for word in value) if value is not None else ()
+        taken[name] = _texts(name, known.get(name), where)
+    _check_names(taken, where)
     if not lazy:
         _check_values(taken, where)
     return Shapes(**taken)
@@ -50,6 +48,43 @@ def as_points(source: Any, where: str, *, lazy: bool = False) -> Tensor:
         _check_finite("points", array, where)
     taken = np.asarray if lazy or isinstance(source, Tensor) else np.array  # an array of others is copied
     return torch.from_numpy(taken(array, np.float64 if array.dtype == np.float64 else np.float32))
+
+
+def _about(about: Any, where: str) -> dict[str, Any]:
+    """Refuses what is no JSON object, and families and rigs that cannot be looked up in it."""
+    if not isinstance(about, dict):
+        raise ValueError(f"{where}: about must be a JSON object, got {str(about)[:40]!r}; {CURE}")
+    families, rigs = about.get("families", []), about.get("rigs", {})
+    if not _are_texts(families) or not isinstance(about.get("family", ""), str):
+        said = families if "families" in about else about["family"]
+        raise ValueError(f"{where}: about must name its family, or list its families, as text, got {said!r}; {CURE}")
+    told = [rigs, *rigs.values()] if isinstance(rigs, dict) else [rigs]
+    told += [rig.get("ranges", {}) for rig in told[1:] if isinstance(rig, dict)]
+    if not all(isinstance(one, dict) for one in told):
+        raise ValueError(f"{where}: about must hold a JSON object for each of its rigs, got {str(rigs)[:40]}; {CURE}")
+    return about
+
+
+def _texts(name: str, value: Any, where: str) -> tuple[str, ...]:
+    words = value.tolist() if isinstance(value, np.ndarray) else () if value is None else value
+    if not _are_texts(words):
+        raise ValueError(f"{where}: {name} must be a list of text, got {str(words)[:40]!r}; {CURE}")
+    return tuple(words)
+
+
+def _are_texts(value: Any) -> bool:
+    return isinstance(value, (list, tuple)) and all(isinstance(word, str) for word in value)
+
+
+def _check_names(taken: dict[str, Any], where: str) -> None:
+    """Refuses names of another number than what they name; without names it stays nameless."""
+    wide = {"parameter_names": "parameters", "part_names": "boxes"}
+    for name in TEXTS:
+        named = taken.get(wide.get(name, "points"))
+        wanted = None if named is None else len(named) if name == "names" else named.shape[1]
+        if taken[name] and wanted not in (None, len(taken[name])):
+            what = wide.get(name, "shapes")
+            raise ValueError(f"{where}: {name} must name {wanted} {what}, got {len(taken[name])} names; {CURE}")
 
 
 def _check_points(array: np.ndarray, where: str) -> None:
@@ -73,6 +108,8 @@ def _numbers(name: str, source: Any, where: str) -> Tensor:
     wanted, kinds = ("whole numbers", "iu") if name in WHOLE else ("real numbers", "fiu")
     if array.dtype.kind not in kinds:
         raise ValueError(f"{where}: {name} must be {wanted}, got {array.dtype}; {CURE}")
+    if array.dtype.kind == "u":  # which torch knows little of
+        array = array.astype(np.int64)
     return torch.as_tensor(array if array.flags.writeable else array.copy())
 
 
@@ -80,7 +117,7 @@ def _agree(name: str, value: Tensor, points: Tensor, where: str) -> None:
     """Refuses what belongs to other points."""
     N, n = points.shape[:2]
     sampled = {"labels": (n,), "rest": (n, 3), "faces": (n,), "weights": (n, 2)}
-    wide = {"boxes": (*value.shape[1:2], 15), "joints": (*value.shape[1:2], 8), "parameters": value.shape[1:2]}
+    wide = {"boxes": (*value.shape[1:2], 15), "joints": (*value.shape[1:2], 8), "parameters": value.shape[1:2] or (1,)}
     own = (N, *(sampled | wide | {"families": ()})[name])
     if tuple(value.shape) != own and not (name in SHARED and tuple(value.shape) == own[1:]):
         raise ValueError(f"{where}: {name} must go with {N} shapes of {n} points, got {tuple(value.shape)}; {CURE}")
@@ -92,8 +129,9 @@ def _check_values(taken: dict[str, Any], where: str) -> None:
     for name in whole:
         if name in taken:
             _check_finite(name, taken[name].numpy(), where)
-    if "labels" in taken and "boxes" in taken and taken["labels"].max() >= taken["boxes"].shape[1]:
-        parts, most = taken["boxes"].shape[1], int(taken["labels"].max())
+    parts = taken["boxes"].shape[1] if "boxes" in taken else len(taken["part_names"])
+    if "labels" in taken and ("boxes" in taken or parts) and taken["labels"].max() >= parts:
+        most = int(taken["labels"].max())
         raise ValueError(f"{where}: labels must be parts 0 to {parts - 1} or -1, got {most}; {CURE}")
     rows, known = taken.get("families"), len(taken["about"].get("families", ()))
     if rows is not None and not 0 <= int(rows.min()) <= int(rows.max()) < known:

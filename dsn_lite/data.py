@@ -65,7 +65,7 @@ def _check_truth(where: str, *collections: Shapes) -> None:
 
 def _said(shapes: Shapes) -> str:
     """What a collection says of its families, in few words."""
-    families = shapes.about.get("families", [shapes.about.get("family", "an unknown family")])
+    families = shapes.about.get("families") or [shapes.about.get("family", "an unknown family")]
     return f"{len(families)} families" if len(families) > 1 else families[0]
 
 

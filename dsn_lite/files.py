@@ -9,10 +9,11 @@ from typing import Any
 import numpy as np
 from torch import Tensor
 
-from .contract import CURE, MIXED, as_points, assemble
+from .contract import CURE, MIXED, WHOLE, as_points, assemble
 from .shapes import Shapes
 
 KEYS = tuple(f.name for f in fields(Shapes))
+MOST = 2**15 - 1  # of what two bytes hold
 
 
 def as_shapes(source: Any) -> Shapes:
@@ -41,11 +42,14 @@ def load_shapes(path: str | Path) -> Shapes:
 
 
 def save_shapes(shapes: Any, path: str | Path) -> None:
-    """Writes points (N, n, 3), or Shapes, as a sample file: beside it first, then renamed, so never half a file."""
+    """Writes points (N, n, 3), or Shapes, as a sample file: beside it first, then renamed, so never half a file.
+
+    Raises ValueError where they are no shapes, or where a whole number is too large for the two bytes of the format.
+    """
     shapes, path = as_shapes(shapes), Path(path)
     arrays = {name: getattr(shapes, name) for name in KEYS}
     arrays["about"] = json.dumps(shapes.about)
-    stored = {name: _stored(value) for name, value in arrays.items() if _known(value)}
+    stored = {name: _stored(name, value) for name, value in arrays.items() if _known(value)}
     path.parent.mkdir(parents=True, exist_ok=True)
     beside(path, lambda part: _write(part, stored))
 
@@ -61,22 +65,35 @@ def beside(path: Path, write: Callable[[Path], Any]) -> None:
 
 
 def _archive(path: Path, where: str) -> dict[str, Any]:
+    known, name = {}, ""
     try:
         # np.load would leave a broken file open, which Windows then refuses to replace
         with path.open("rb") as stream, np.lib.npyio.NpzFile(stream, allow_pickle=False) as file:
-            known = {name: file[name] for name in KEYS if name in file}
+            for name in KEYS:
+                if name in file:
+                    known[name] = file[name]
     except Exception as trouble:  # zip, zlib, numpy and Python's own parser each fail in their way on broken bytes
         broken = f"must be a whole .npz sample file, got ({_short(trouble)}); {CURE}"
-        raise ValueError(f"{where}: {MIXED if 'Object arrays' in str(trouble) else broken}") from None
+        objects = MIXED if name == "points" else f"{name} must be a plain array, got Python objects; {CURE}"
+        raise ValueError(f"{where}: {objects if 'Object arrays' in str(trouble) else broken}") from None
     return known | {"about": _parsed(str(known.get("about", "{}")), where)}
 
 
 def _folder(path: Path, where: str) -> dict[str, Any]:
     if not (path / "about.json").is_file():
         raise ValueError(f"{where}: a folder must hold about.json, it holds none; write it with data_gen.save_shards")
-    about = _parsed((path / "about.json").read_text(encoding="utf-8"), where)
+    about = _parsed(_text(path / "about.json", where), where)
     held = about.pop("arrays", ["points"]) if isinstance(about, dict) else ["points"]
+    if not isinstance(held, list):
+        raise ValueError(f"{where}: about must list the names of the arrays, got {held!r}; {CURE}")
     return {name: _mapped(path / f"{name}.npy", where) for name in held if name in KEYS} | {"about": about}
+
+
+def _text(file: Path, where: str) -> str:
+    try:
+        return file.read_text(encoding="utf-8")
+    except UnicodeDecodeError:
+        raise ValueError(f"{where}: {file.name} must be UTF-8 text, got other bytes; {CURE}") from None
 
 
 def _mapped(file: Path, where: str) -> np.ndarray:
@@ -84,7 +101,7 @@ def _mapped(file: Path, where: str) -> np.ndarray:
     if not file.is_file():
         raise ValueError(f"{where}: must hold {file.name}, it holds none; copy the folder again")
     try:
-        return np.load(file, mmap_mode="c", allow_pickle=False)
+        return np.lib.format.open_memmap(file, mode="c")  # np.load would take an archive too
     except Exception as trouble:
         raise ValueError(f"{where}: {file.name} must be a whole array, got ({_short(trouble)}); {CURE}") from None
 
@@ -92,7 +109,7 @@ def _mapped(file: Path, where: str) -> np.ndarray:
 def _parsed(text: str, where: str) -> Any:
     try:
         return json.loads(text)
-    except ValueError:
+    except (ValueError, RecursionError):
         raise ValueError(f"{where}: about must be JSON, got {text[:40]!r}; {CURE}") from None
 
 
@@ -101,10 +118,14 @@ def _write(part: Path, arrays: dict[str, np.ndarray]) -> None:
         np.savez(file, **arrays)
 
 
-def _stored(value: Any) -> np.ndarray:
+def _stored(name: str, value: Any) -> np.ndarray:
     """As the contract has it: numbers in single precision, labels in two bytes."""
     if not isinstance(value, Tensor):
         return np.asarray(value)
+    if name in WHOLE and not -MOST - 1 <= int(value.min()) <= int(value.max()) <= MOST:
+        raise ValueError(
+            f"save_shapes: {name} must be {MOST} at most, got {value.max()}; that is all a file has room for"
+        )
     return value.cpu().numpy().astype("<f4" if value.is_floating_point() else "<i2")
 
 

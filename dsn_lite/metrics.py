@@ -55,8 +55,8 @@ class Evaluation:
         lines = []
         for name, value in asdict(self).items():
             shown = "unknown" if value is None else f"{value:.4g}"
-            against = f"  = {value / self.floor:.2f} x floor" if name.endswith("_cd") and self.floor else ""
-            lines.append(f"{name:>17}  {shown}{against}")
+            compared = name.endswith("_cd") and value is not None and self.floor
+            lines.append(f"{name:>17}  {shown}" + (f"  = {value / self.floor:.2f} x floor" if compared else ""))
         return "\n".join(lines)
 
 

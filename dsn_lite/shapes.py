@@ -59,9 +59,9 @@ class Shapes:
 
     @property
     def ranges(self) -> np.ndarray | None:
-        """Lowest and highest value of every parameter (p, 2), where the file tells of one family; None elsewhere."""
-        known = self.about.get("rigs", {}).get(self.about.get("family"), {}).get("ranges")
-        if known is None or self.parameters is None:
+        """Lowest and highest value of every parameter (p, 2), where the file tells all for one family, else None."""
+        known = self.about.get("rigs", {}).get(self.about.get("family"), {}).get("ranges", {})
+        if self.parameters is None or not self.parameter_names or not set(self.parameter_names) <= set(known):
             return None
         return np.array([known[name] for name in self.parameter_names]) + np.array([-1e-6, 1e-6])  # files hold float32
 

@@ -70,3 +70,33 @@ def test_plain_points_pass_both_ways(tmp_path):
     np.testing.assert_array_equal(data_gen.load(tmp_path / "plain.npz").points, points)
     data_gen.save(data_gen.Collection(points), tmp_path / "plain.npz")
     np.testing.assert_array_equal(load_shapes(tmp_path / "plain.npz").points, points)
+
+
+@pytest.mark.parametrize(
+    "told", [("table/four_legs",), ("desk_lamp/bracket",), (*MIXED, "cabinet/nightstand", "desk_lamp/balanced")]
+)
+def test_what_about_says_of_rigs_is_what_the_rigs_are(told, tmp_path):
+    data_gen.save(data_gen.generate(told, count=len(told), points=4), tmp_path / "a.npz")
+    rigs = load_shapes(tmp_path / "a.npz").about["rigs"]
+    assert set(rigs) == set(told)
+    for name, said in rigs.items():
+        rig = data_gen.family(name)
+        assert said["parts"] == list(rig.part_names)
+        assert said["symmetric_pairs"] == [list(pair) for pair in rig.symmetric]
+        assert said["contacts"] == [[one.first, one.second, one.kind] for one in rig.contacts]
+        assert said["units"] == {one.name: one.unit for one in rig.parameters}
+        assert said["ranges"] == {one.name: [one.low, one.high] for one in rig.parameters}
+        tree = [(one["name"], one["kind"], one["on"], one["parts"]) for one in said["joint_tree"]]
+        assert tree == [(one.name, one.kind, one.on, list(one.parts)) for one in rig.joint_list]
+        for one in said["joint_tree"]:
+            carrying = [i for i, other in enumerate(said["joint_tree"]) if one["on"] in other["parts"]]
+            assert [one["parent"]] == (carrying or [-1])
+        turning = any(joint.kind == "hinge" for joint in rig.joint_list)
+        assert (said["linear"], said["by_boxes"]) == (not turning, not turning and rig.fixed_rest)
+
+
+def test_what_about_says_of_a_desk_lamp():
+    said = data_gen.generate("desk_lamp/bracket", count=1, points=4).about["rigs"]["desk_lamp/bracket"]
+    assert [one["parent"] for one in said["joint_tree"]] == [-1, 0, 1]
+    assert said["units"]["head_angle"] == "rad"
+    assert said["units"]["head_width"] == "length"

@@ -131,7 +131,7 @@ def test_true_deformation_and_transfer_are_those_of_the_rig(family, sampling):
     deformed = rig.place(samples_of(x), y.parameters.numpy())
     near(true_deformation(x, y), torch.from_numpy(deformed))
     p_x, p_y, p_z = (each.parameters.numpy() for each in (x, y, z))
-    moved = rig.true_transfer(samples_of(z), p_z, p_x, p_y)  # refuses what leaves a range
+    moved = rig.place(samples_of(z), p_z + p_y - p_x)  # refuses what leaves a range
     near(true_transfer(x, y, z), torch.from_numpy(moved))
 
 
@@ -268,3 +268,21 @@ def test_the_frame_by_hand():
     assert frame.size == (2 + 4) / 2
     assert frame.share == (0.0, 1.0, 0.0)
     assert frame.anchor == (0, 1, 0)
+
+
+def test_ranges_that_do_not_tell_of_every_parameter_are_unknown():
+    shapes = shapes_of("table/four_legs", 40, 8)
+    told = dict(shapes.about["rigs"]["table/four_legs"])
+    told["ranges"] = {name: ends for name, ends in told["ranges"].items() if name != "width"}
+    lacking = replace(shapes, about=shapes.about | {"rigs": {"table/four_legs": told}})
+    nameless = replace(shapes, parameter_names=())
+    for one in (lacking, nameless):
+        assert one.ranges is None
+        x, y, z = triplets(one, 40, with_truth=True)
+        assert ((z.boxes + y.boxes - x.boxes)[..., 12:] > 0).all()
+
+
+def test_an_empty_list_of_families_is_an_unknown_family():
+    shapes = replace(as_shapes(shapes_of(count=4).points), about={"families": []})
+    with pytest.raises(ValueError, match=r"triplets: shapes must be of one family .*, got an unknown family; take"):
+        triplets(shapes, 1, with_truth=True)

@@ -290,3 +290,75 @@ def test_a_folder_with_a_truncated_array(folder, kept):
     (folder / "rest.npy").write_bytes((folder / "rest.npy").read_bytes()[:kept])
     with pytest.raises(ValueError, match=r"rest.npy must be a whole array, got \(.*\); write it again"):
         load_shapes(folder)
+
+
+@pytest.mark.parametrize(
+    ("wrong", "words"),
+    [
+        (
+            {"parameters": np.zeros((3, 2)), "parameter_names": ["a"]},
+            "parameter_names must name 2 parameters, got 1",
+        ),
+        (
+            {"boxes": np.zeros((3, 2, 15)), "part_names": ["a", "b", "c"]},
+            "part_names must name 2 boxes, got 3 names",
+        ),
+        ({"names": ["a", "b"]}, "names must name 3 shapes, got 2 names; write it again"),
+        (
+            {"labels": np.full((3, 4), 2), "part_names": ["a", "b"]},
+            "labels must be parts 0 to 1 or -1, got 2; write",
+        ),
+        ({"parameters": np.zeros(3)}, r"parameters must go with 3 shapes of 4 points, got \(3,\); write it again"),
+        ({"names": np.array("abc")}, "names must be a list of text, got 'abc'; write it again"),
+        ({"names": np.array([1, 2, 3])}, r"names must be a list of text, got '\[1, 2, 3\]'; write it again"),
+        ({"names": np.array(["a", "b", None])}, "names must be a plain array, got Python objects; write it again"),
+        ({"about": '{"families": 5}'}, "about must name its family, or list its families, as text, got 5; write it"),
+        ({"about": '{"families": null}'}, "about must name its family, or list its families, as text, got None; write"),
+        ({"about": '{"family": 5}'}, "about must name its family, or list its families, as text, got 5; write it"),
+        ({"about": '{"rigs": [1]}'}, r"about must hold a JSON object for each of its rigs, got \[1\]; write it again"),
+        ({"about": '{"rigs": {"a": 1}}'}, "about must hold a JSON object for each of its rigs, got {'a': 1}; write it"),
+        ({"about": '{"rigs": {"a": {"ranges": 1}}}'}, "about must hold a JSON object for each of its rigs, got "),
+    ],
+)
+def test_what_is_known_must_fit_together(wrong, words, tmp_path):
+    np.savez(tmp_path / "shapes.npz", points=np.zeros((3, 4, 3)), **wrong)
+    with pytest.raises(ValueError, match=rf"load_shapes: .*shapes.npz: {words}"):
+        load_shapes(tmp_path / "shapes.npz")
+
+
+@pytest.mark.parametrize("kind", [np.uint8, np.uint16, np.uint64, np.int64])
+def test_whole_numbers_of_any_kind_are_taken(kind, tmp_path):
+    labels, points = np.array([[0, 1], [1, 0]], kind), np.arange(12).reshape(2, 2, 3).astype(kind)
+    np.savez(tmp_path / "a.npz", points=points, labels=labels, boxes=np.zeros((2, 2, 15), kind))
+    shapes = load_shapes(tmp_path / "a.npz")
+    assert shapes.labels.tolist() == labels.tolist()
+    assert shapes.points.dtype == shapes.boxes.dtype == torch.float32
+
+
+def test_numbers_that_a_file_has_no_room_for_are_not_written(tmp_path):
+    shapes = Shapes(points=torch.zeros(2, 4, 3), faces=torch.full((2, 4), 70000))
+    with pytest.raises(ValueError, match=r"save_shapes: faces must be 32767 at most, got 70000; that is all a file"):
+        save_shapes(shapes, tmp_path / "a.npz")
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        (b'{"arrays": null}', "about must list the names of the arrays, got None; write it again"),
+        (b'{"arrays": "points"}', "about must list the names of the arrays, got 'points'; write it again"),
+        (b'{"family": "\xff"}', "about.json must be UTF-8 text, got other bytes; write it again"),
+        (b"[" * 100_000, r"about must be JSON, got '\[\["),
+    ],
+)
+def test_a_folder_whose_about_does_not_list_its_arrays(folder, text, words):
+    (folder / "about.json").write_bytes(text)
+    with pytest.raises(ValueError, match=f"load_shapes: .*: {words}"):
+        load_shapes(folder)
+
+
+def test_an_archive_in_a_folder_is_no_array(folder):
+    with (folder / "points.npy").open("wb") as file:
+        np.savez(file, points=np.zeros((7, 16, 3)))
+    with pytest.raises(ValueError, match=r"points.npy must be a whole array, got \(.*\); write it again"):
+        load_shapes(folder)

@@ -2,15 +2,18 @@
 
 import subprocess
 import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
 import trimesh
+from tables import arrays_differ
 
 import data_gen
 from data_gen.__main__ import main
 
 FEW = ["--count", "5", "--points", "32", "--seed", "3"]
+MUGS = ", ".join(data_gen.families("mug"))
 
 
 def test_list_names_every_family_in_a_line(capsys):
@@ -54,13 +57,15 @@ def test_generate_holds_parameters_adds_noise_and_looks_from_a_side(tmp_path):
     np.testing.assert_array_equal(data_gen.load(out).points, expected.points)
 
 
-def test_shards_hold_the_same_shapes_as_a_file(tmp_path, monkeypatch):
+@pytest.mark.parametrize("degraded", [[], ["--noise", "0.01"], ["--seen-from", "0", "0", "1", "--noise", "0.01"]])
+def test_shards_hold_the_same_shapes_as_a_file(tmp_path, monkeypatch, degraded):
     monkeypatch.setattr("data_gen.__main__.PIECE", 64)
-    assert main(["generate", "mug", *FEW, "--shards", str(tmp_path / "many")]) == 0
-    assert main(["generate", "mug", *FEW, "--out", str(tmp_path / "a.npz")]) == 0
+    assert main(["generate", "mug", *FEW, *degraded, "--shards", str(tmp_path / "many")]) == 0
+    assert main(["generate", "mug", *FEW, *degraded, "--out", str(tmp_path / "a.npz")]) == 0
     many, one = data_gen.load(tmp_path / "many"), data_gen.load(tmp_path / "a.npz")
-    np.testing.assert_array_equal(many.points, one.points)
-    assert many.names == one.names
+    assert not arrays_differ(many, one)
+    assert many.about == one.about
+    assert len(many) == 5
 
 
 def test_the_same_command_writes_the_same_bytes_in_another_process(tmp_path):
@@ -101,7 +106,13 @@ def test_show_writes_a_page_and_a_picture_and_opens_the_page(tmp_path, monkeypat
 def test_sheet_writes_a_folder(tmp_path, capsys):
     assert main(["sheet", "box", "--out", str(tmp_path / "sheets")]) == 0
     assert (tmp_path / "sheets" / "index.html").is_file()
-    assert "1 families" in capsys.readouterr().out
+    assert capsys.readouterr().out.endswith("index.html: 1 family\n")
+
+
+def test_sheets_of_several_families_are_counted(tmp_path, capsys, monkeypatch):
+    monkeypatch.setattr("data_gen.catalogue.write_sheets", lambda *_: None)
+    assert main(["sheet", "box", "mug", "--out", str(tmp_path)]) == 0
+    assert capsys.readouterr().out.endswith(f"{1 + len(data_gen.families('mug'))} families\n")
 
 
 def test_paper_writes_a_set_and_a_data_sheet(tmp_path):
@@ -115,7 +126,40 @@ def test_paper_writes_a_set_and_a_data_sheet(tmp_path):
     ("command", "sentence"),
     [
         ("list nothing", "families: a category must be one of table, chair"),
-        ("generate nothing --count 1 --points 9 --out a.npz", "family: a family must be one of table/four_legs"),
+        (
+            "generate nothing --count 1 --points 9 --out a.npz",
+            "family: a family must be one of the families of table, ch",
+        ),
+        (
+            "generate mug/blue --count 1 --points 9 --out a.npz",
+            f"family: a family must be one of {MUGS}, got 'mug/blue'",
+        ),
+        (
+            "generate box/one --count 1 --points 0 --shards s",
+            "generate: count must be whole and >= 1, points >= 2, got",
+        ),
+        (
+            "generate box/one --count 1 --points 9 --shards no/s",
+            "save_shards: its folder must exist, got no; make the f",
+        ),
+        (
+            "generate box/one --count 1 --points 9 --noise -1 --shards s",
+            "noisy: deviation must be finite and >= 0, got",
+        ),
+        (
+            "generate box/one --count 1 --points 9 --shards .",
+            "save_shards: . must be new or an empty folder, got one th",
+        ),
+        (
+            "generate box/one --count 1 --points 9 --out .",
+            ".: must be a file, got a folder; name a file, such as one in",
+        ),
+        (
+            "generate box/one --count 1 --points 9 --out /",
+            f"{Path('/')}: must be a file, got a folder; name a file, such",
+        ),
+        ("show box/one --no-open --seed -1", "show: seed must be a whole number >= 0, got -1; choose one"),
+        ("sheet box --seed -1 --out sheets", "sheet: seed must be a whole number >= 0, got -1; choose one"),
         ("generate box/one --count 1 --points 1 --out a.npz", "generate: count must be whole and >= 1, points >= 2"),
         ("generate box/one --count 1 --points 9", "generate: either --out or --shards must say where to write"),
         ("generate box/one --count 1 --points 9 --out a.npz --set width", "--set width must be a number, got ''; wr"),
@@ -139,6 +183,40 @@ def test_errors_are_one_sentence_and_write_nothing(tmp_path, monkeypatch, capsys
     assert printed.err.count("\n") == 1
     assert not printed.out
     assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize(
+    ("command", "sentence"),
+    [
+        ("sheet box --out mine", "sheet: mine must be a folder, got a file; choose another name for the folder"),
+        ("sheet box --out mine/sheets", "sheet: mine must be a folder, got a file; choose another name"),
+        (
+            "paper --only poses/carton --lite --out mine",
+            "paper: mine must be a folder, got a file; choose another name",
+        ),
+        (
+            "generate box --count 1 --points 9 --shards mine",
+            "save_shards: mine must be new or an empty folder, got one",
+        ),
+        ("resample box.npz --seed 0 --points 1 --out b.npz", "resample: points must be whole and >= 2, got 1; ask for"),
+        ("resample box.npz --seed -1 --out b.npz", "resample: seed must be a whole number >= 0, got -1; choose one"),
+        ("resample box.npz --seed 0 --out folder", "folder: must be a file, got a folder; name a file, such as one in"),
+        ("mesh box/one --out folder.glb", "folder.glb: must be a file, got a folder; name a file, such as one in that"),
+    ],
+)
+def test_what_lies_there_is_left_alone(tmp_path, monkeypatch, capsys, command, sentence):
+    monkeypatch.chdir(tmp_path)
+    data_gen.save(data_gen.generate("box/one", count=1, points=9), "box.npz")
+    Path("mine").write_text("mine", encoding="utf-8")
+    Path("folder").mkdir()
+    Path("folder.glb").mkdir()
+    assert main(command.split()) == 2
+    printed = capsys.readouterr()
+    assert printed.err.startswith(sentence)
+    assert printed.err.count("\n") == 1
+    assert not printed.out
+    assert {path.name for path in tmp_path.rglob("*")} == {"box.npz", "mine", "folder", "folder.glb"}
+    assert Path("mine").read_text(encoding="utf-8") == "mine"
 
 
 @pytest.mark.parametrize("command", ["", "resample", "mesh"])

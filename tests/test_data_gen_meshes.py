@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 import trimesh
+from scipy.spatial import cKDTree
 
 import data_gen
 from data_gen.colours import PALETTE, colours, kind
@@ -81,3 +82,27 @@ def test_kinds_have_different_hues_as_long_as_there_are_any(name):
 )
 def test_a_kind_is_the_name_without_what_tells_parts_apart(part, expected):
     assert kind(part) == expected
+
+
+@pytest.mark.parametrize("ending", ["glb", "obj"])
+@pytest.mark.parametrize("name", ["table/shelf", "carton/two_flaps", "desk_lamp/bracket"])
+def test_written_meshes_keep_their_uvs(tmp_path, name, ending):
+    rig = data_gen.family(name)
+    data_gen.save_mesh(data_gen.mesh(name, rig.middle[0]), tmp_path / f"one.{ending}")
+    read = trimesh.load_scene(tmp_path / f"one.{ending}", process=False).dump()
+    corners = np.concatenate([np.hstack([part.vertices, part.visual.uv])[part.faces].reshape(-1, 5) for part in read])
+    wanted = np.hstack([rig.vertices(rig.middle)[0], rig.uv])[rig.triangles].reshape(-1, 5)
+    assert len(corners) == len(wanted)
+    far, _ = cKDTree(corners).query(wanted)
+    assert far.max() < 1e-5
+    assert np.ptp(rig.uv, axis=0).min() > 0.5
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [({"width": 0.5}, "{'width': 0.5}"), (["a", 1, 2], r"\['a', 1, 2\]"), ([[1], [1, 2]], r"\[\[1\], \[1, 2\]\]")],
+)
+def test_a_mesh_of_what_are_no_numbers_is_refused(given, said):
+    words = rf"mesh: parameters must be numbers for width, height, depth, got {said}; give a list in this order"
+    with pytest.raises(ValueError, match=words):
+        data_gen.mesh("box/one", given)

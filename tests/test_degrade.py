@@ -95,6 +95,28 @@ def test_views_follow_their_seed_and_the_first_shapes_those_of_fewer():
     assert arrays_differ(one, data_gen.seen_from(shapes, (0, 0, 1), seed=5))
 
 
+@pytest.mark.parametrize("family", ["table/four_legs", MIXED])
+def test_pieces_are_degraded_as_the_whole_is(family):
+    whole = data_gen.generate(family, count=7, points=30)
+    for degrade in (
+        lambda shapes, **row: data_gen.noisy(shapes, 0.01, 4, **row),
+        lambda shapes, **row: data_gen.seen_from(shapes, (0, 0, 1), 4, **row),
+    ):
+        expected = degrade(whole)
+        for start in (0, 3, 6):
+            piece = degrade(whole[start : start + 3], first=start)
+            assert not arrays_differ(piece, expected[start : start + 3])
+            assert piece.about == {**expected.about, "split": None}
+
+
+def test_noise_is_another_in_every_shape():
+    still = data_gen.Collection(np.zeros((50, 40, 3)))
+    drawn = data_gen.noisy(still, 1, seed=3).points.reshape(50, -1)
+    assert len(np.unique(drawn)) == drawn.size
+    correlations = np.corrcoef(drawn)[np.triu_indices(50, 1)]
+    assert np.abs(correlations).max() < 6 / np.sqrt(120)
+
+
 def test_new_samples_of_a_view_are_of_all_sides_and_clean():
     degraded = data_gen.noisy(data_gen.seen_from(tables(points=300), (0, 1, 0)), 0.02)
     again = data_gen.resample(degraded, 3)
@@ -140,7 +162,36 @@ def test_normalised_clouds_fill_their_cube():
     assert arrays_differ(cubes, again) == ["points", "labels"]
 
 
+def test_noise_after_normalising_is_in_the_unit_that_about_says():
+    cubes = data_gen.normalised(data_gen.generate("box/one", count=20, points=1000))
+    noise = data_gen.noisy(cubes, 0.1)
+    np.testing.assert_allclose((noise.points - cubes.points).std(), 0.1, rtol=0.02)
+    assert noise.about["units"] == "a cube of its own for each cloud, [-1, 1]^3"
+    assert noise.about["noise"]["deviation"] == 0.1
+    assert "noise" not in data_gen.resample(noise, 0).about
+
+
 # what is refused
+
+
+def test_noise_before_normalising():
+    words = r"normalised: clouds must be without noise, got noise {'deviation': 0.1, 'seed': 2}; add it to normalised"
+    with pytest.raises(ValueError, match=words):
+        data_gen.normalised(data_gen.noisy(tables(), 0.1, 2))
+
+
+@pytest.mark.parametrize("seed", [-1, 0.5])
+def test_seeds_that_are_none(seed):
+    words = f"seed must be a whole number >= 0, got {seed}; choose one"
+    with pytest.raises(ValueError, match=f"noisy: {words}"):
+        data_gen.noisy(tables(), 0.1, seed)
+    with pytest.raises(ValueError, match=f"seen_from: {words}"):
+        data_gen.seen_from(tables(), (0, 0, 1), seed)
+
+
+def test_no_shapes_to_see():
+    with pytest.raises(ValueError, match=r"seen_from: a collection must hold a shape or more, got none; choose other"):
+        data_gen.seen_from(tables()[:0], (0, 0, 1))
 
 
 @pytest.mark.parametrize("deviation", [-0.1, np.inf, np.nan])

@@ -1,6 +1,7 @@
 """Joints: turns, shifts, and how they add up along a chain."""
 
 import numpy as np
+import pytest
 import trimesh
 from hypothesis import given
 from hypothesis import strategies as st
@@ -86,6 +87,24 @@ def test_joints_stand_where_their_parts_have_taken_them(shoulder, elbow, hand):
     np.testing.assert_allclose(found[:, 6], p[0], atol=1e-12)
     assert found[:, 7].tolist() == [0, 0, 1]
     assert [joint.kind for joint in ARM.joint_list] == [HINGE, HINGE, SLIDE]
+
+
+@pytest.mark.parametrize(("make", "kind"), [(hinge, "hinge"), (slide, "slide")])
+@pytest.mark.parametrize("axis", [(0, 0, 0), (0, 1), (0, np.inf, 0), (np.nan, 0, 1)])
+def test_an_axis_without_a_direction_is_refused(make, kind, axis):
+    with pytest.raises(
+        ValueError, match=rf"^{kind} knee: axis must be three numbers, not all 0, got \(.*; \(0, 1, 0\)"
+    ):
+        make("knee", ["post"], "foot", axis, (0, 0, 0), 0)
+
+
+def test_what_turns_hinges_is_known_and_drawn_anew_between_the_corners():
+    corners = np.tile(ARM.low, (5, 1))
+    found = ARM.between(corners, np.random.default_rng(0))
+    assert ARM.turning.tolist() == [True, True, False]
+    assert (found[:, 2] == ARM.low[2]).all()
+    assert len(np.unique(found[:, :2])) == 10
+    assert (np.abs(found) <= 3.2 + 1e-6).all()
 
 
 def test_after_is_the_product_of_the_motions():

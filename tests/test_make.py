@@ -1,6 +1,7 @@
 """Collections: what is drawn and how, several families in one, pieces, and new samples of the same shapes."""
 
 import tracemalloc
+import zlib
 
 import numpy as np
 import pytest
@@ -103,7 +104,7 @@ def test_how_many_are_made_at_once_changes_nothing(monkeypatch, family, sampling
 
 @pytest.mark.parametrize(("points", "count"), [(64, 3000), (5000, 40), (100_000, 4)])
 @pytest.mark.parametrize("sampling", ["fresh", "shared"])
-@pytest.mark.parametrize("family", ["table/four_legs", "carton/two_flaps", MIXED])
+@pytest.mark.parametrize("family", ["table/four_legs", "carton/two_flaps", MIXED, "vase", ("box", "oven")])
 def test_memory_stays_below_three_times_what_is_returned(family, sampling, points, count):
     data_gen.generate(family, count=2, points=2)  # what a family keeps of itself
     tracemalloc.start()
@@ -185,6 +186,34 @@ def test_what_is_fixed_is_the_same_in_all_shapes_and_the_rest_as_without_it():
     assert free.about["fixed"] == {}
 
 
+def test_what_numpy_counts_with_can_be_saved_too(tmp_path):
+    given = {"seed": np.int64(3), "count": np.int32(3), "fixed": {"width": np.float32(0.7)}}
+    shapes = data_gen.noisy(data_gen.resample(tables(**given), np.uint8(5)), np.float32(0.5), np.int16(7))
+    data_gen.save(data_gen.seen_from(shapes, np.float32([0, 0, 1]), np.int64(1)), tmp_path / "view.npz")
+    data_gen.save(shapes, tmp_path / "a.npz")
+    read = data_gen.load(tmp_path / "a.npz").about
+    assert (read["seed"], read["resampled"], read["noise"]) == (3, [5], {"deviation": 0.5, "seed": 7})
+    assert read["fixed"] == {"width": np.float32(0.7)}
+    assert not arrays_differ(tables(**given), tables(seed=3, fixed={"width": np.float32(0.7)}))
+
+
+def test_equal_seeds_do_not_tie_families_together():
+    names = ("table/four_legs", "table/pedestal", "chair/four_legs", "lamp/arc")
+    alone = [data_gen.generate(name, count=500, points=2).parameters[:, 0] for name in names]
+    assert (np.abs(np.corrcoef(alone) - np.eye(len(names))) < 5 / np.sqrt(500)).all()
+    codes = {zlib.crc32(name.encode()) for name in data_gen.families()}
+    assert len(codes) == len(data_gen.families()), "no two names have the same number"
+
+
+def test_a_family_has_the_same_shapes_whatever_it_is_mixed_with():
+    alone = data_gen.generate("table/shelf", count=30, points=16, seed=2)
+    for names in (MIXED, MIXED[::-1], ("box/one", "carton", "table/shelf")):
+        shapes = data_gen.generate(names, count=30, points=16, seed=2)
+        own = shapes.families == shapes.family_names.index("table/shelf")
+        np.testing.assert_array_equal(shapes.points[own], alone.points[: own.sum()])
+        assert own.any()
+
+
 @settings(max_examples=5)
 @given(seed=SEEDS)
 def test_the_same_seed_gives_the_same_bytes_and_another_seed_others(tmp_path_factory, seed):
@@ -210,11 +239,26 @@ def test_resample_keeps_the_shapes_and_draws_new_points():
 
 
 @pytest.mark.parametrize("sampling", ["fresh", "shared"])
+@pytest.mark.parametrize("family", ["table/four_legs", "table", (*MIXED, "box/one")])
+def test_new_samples_are_independent_even_for_equal_seeds(family, sampling):
+    shapes = data_gen.generate(family, count=60, points=50, sampling=sampling, seed=7)
+    one = data_gen.resample(shapes, 7)
+    two = data_gen.resample(one, 7)
+    three, other = data_gen.resample(two, 7), data_gen.resample(data_gen.resample(shapes, 8), 7)
+    assert shapes.families is None or len(np.unique(shapes.families)) == len(shapes.family_names)
+    drawn = np.concatenate([made.weights.reshape(-1, 2) for made in (shapes, one, two, three, other)])
+    times = 60 if sampling == "fresh" else len(shapes.family_names)
+    assert len(np.unique(drawn, axis=0)) == 5 * times * 50, "no point of any shape or family has the weights of another"
+    assert three.about["resampled"] == [7, 7, 7]
+    assert not arrays_differ(three, data_gen.resample(two, 7))
+
+
+@pytest.mark.parametrize("sampling", ["fresh", "shared"])
 def test_resample_of_mixed_shapes_keeps_all_but_the_samples(sampling):
     shapes = data_gen.generate(MIXED, count=9, points=50, sampling=sampling)
     again = data_gen.resample(shapes, 0)
     assert {*arrays_differ(shapes, again)} == {"points", "labels", "rest", "faces", "weights"}
-    assert again.about == {**shapes.about, "resampled": 0}
+    assert again.about == {**shapes.about, "resampled": [0]}
 
 
 def test_resample_of_shapes_that_only_say_what_they_were_made_from():
@@ -271,6 +315,8 @@ def test_float64_keeps_full_precision_of_the_same_shapes():
         ({"dtype": "float16"}, "dtype must be float32 or float64, got 'float16'; files hold float32"),
         ({"seed": -1}, "seed must be a whole number >= 0, got -1; choose one"),
         ({"seed": 0.5}, "seed must be a whole number >= 0, got 0.5; choose one"),
+        ({"seed": True}, "seed must be a whole number >= 0, got True; choose one"),
+        ({"count": True}, "count must be whole and >= 1, points >= 2, got True and 16; ask for more"),
     ],
 )
 def test_what_cannot_be_generated_is_refused(options, sentence):
@@ -283,7 +329,13 @@ def test_what_cannot_be_generated_is_refused(options, sentence):
     [
         ([], 'generate: family must name a family or more, got none; say "table/four_legs" or "table"'),
         ("table/six_legs", "family: a family must be one of table/four_legs, .*, got 'table/six_legs'; check"),
-        (["table", "piano"], "family: a family must be one of .*, got 'piano'; check the spelling"),
+        (
+            ["table", "piano"],
+            "family: .* one of the families of table, chair, [a-z_, ]*, got 'piano'; check the spelling",
+        ),
+        (["table/shelf", ["box"]], r"family: a family must be one of .*, got \['box'\]; check the spelling"),
+        (None, 'generate: family must name a family or more, got None; say "table/four_legs" or "table"'),
+        (5, 'generate: family must name a family or more, got 5; say "table/four_legs" or "table"'),
     ],
 )
 def test_unknown_names_are_refused(family, sentence):
@@ -295,6 +347,8 @@ def test_unknown_names_are_refused(family, sentence):
     ("fixed", "sentence"),
     [
         ({"length": 1}, "generate: fixed must name parameters, one of depth, .*, width, got 'length'; see list"),
+        (["width"], r"generate: fixed must map names to numbers, got \['width'\]; write {\"width\": 0.5}"),
+        ({"width": "a"}, r"generate: fixed must map names to numbers, got {'width': 'a'}; write {\"width\": 0.5}"),
         ({"width": 9}, r"generate: width of table/four_legs must be in \[0.5, 1\], got 9 in row 0; keep it inside"),
     ],
 )
@@ -310,6 +364,25 @@ def test_pieces_refuses_before_the_first_is_asked_for():
         data_gen.pieces("table", count=3, points=16, size=0)
 
 
-def test_resample_refuses_a_bad_seed():
-    with pytest.raises(ValueError, match=r"resample: seed must be a whole number >= 0, got -3; choose one"):
-        data_gen.resample(tables(), -3)
+@pytest.mark.parametrize("seed", [-3, 0.5, None])
+def test_resample_refuses_a_bad_seed(seed):
+    with pytest.raises(ValueError, match=rf"resample: seed must be a whole number >= 0, got {seed}; choose one"):
+        data_gen.resample(tables(), seed)
+
+
+@pytest.mark.parametrize("points", [1, 2.5, True])
+def test_resample_refuses_a_bad_number_of_points(points):
+    with pytest.raises(ValueError, match=rf"resample: points must be whole and >= 2, got {points}; ask for more"):
+        data_gen.resample(tables(), 0, points=points)
+
+
+def test_resample_refuses_no_shapes():
+    with pytest.raises(ValueError, match=r"resample: a collection must hold a shape or more, got none; choose other"):
+        data_gen.resample(tables()[:0], 0)
+
+
+def test_resample_refuses_what_does_not_list_its_seeds():
+    shapes = tables()
+    odd = data_gen.Collection(**{**vars(shapes), "about": {**shapes.about, "resampled": "often"}})
+    with pytest.raises(ValueError, match=r"resample: about must list seeds under resampled, got 'often'; write it"):
+        data_gen.resample(odd, 0)

@@ -88,6 +88,16 @@ def test_what_a_plain_file_does_not_tell_is_unknown():
     assert "transfer_error  unknown" in str(found)
 
 
+@pytest.mark.parametrize("family", [("table/four_legs", "table/shelf"), "carton/two_flaps"])
+def test_the_table_of_shapes_without_a_known_truth_still_gives_multiples_of_the_floor(family):
+    made = data_gen.generate(family, count=6, points=16)
+    found = evaluate(DoNothing(), made, again=data_gen.resample(made, 1), pairs=10)
+    assert (found.exact_cd, found.transfer_error) == (None, None)
+    lines = {line.split()[0]: line for line in str(found).splitlines()}
+    assert [name for name in lines if "x floor" in lines[name]] == ["fitting_cd", "do_nothing_cd", "parallelogram_cd"]
+    assert lines["exact_cd"].split()[1:] == ["unknown"]
+
+
 def test_the_table_gives_multiples_of_the_floor():
     made = data_gen.generate("box/one", count=6, points=64)
     shapes = as_shapes(made)

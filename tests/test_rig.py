@@ -79,26 +79,6 @@ def test_the_box_of_a_part_that_turns_turns_with_it():
     np.testing.assert_allclose(turned[3:12].reshape(3, 3) @ [0, 1, 0], [1, 0, 0], atol=EXACT)
 
 
-def test_true_transfer_adds_the_difference_of_the_parameters():
-    for name in ("table/shelf", "carton/two_flaps"):
-        rig, p, samples = drawn(name, 5, count=2)
-        half = (p[:1] + rig.middle) / 2
-        for p_z in (p[:1], half):
-            new = np.clip(p_z + p[1:] - p[:1], rig.low, rig.high)
-            found = rig.true_transfer(samples, p_z, p[:1], p[1:], clip=True)
-            np.testing.assert_allclose(found, rig.place(samples, new), atol=EXACT)
-        np.testing.assert_allclose(rig.true_transfer(samples, half, p, p), rig.place(samples, half).repeat(2, 0))
-
-
-def test_true_transfer_out_of_range_is_refused_by_name_or_clipped():
-    rig, _, samples = drawn("box/one", 0)
-    low, high = rig.low[None], rig.high[None]
-    with pytest.raises(ValueError, match=r"place: width of box/one must be in \[0.3, 1\], got 1.7 in row 0; keep it"):
-        rig.true_transfer(samples, high, low, high)
-    clipped = rig.true_transfer(samples, high, low, high, clip=True)
-    np.testing.assert_array_equal(clipped, rig.place(samples, high))
-
-
 @pytest.mark.parametrize("value", [0.2999, 1.0001, np.nan])
 def test_parameters_out_of_range_are_refused_by_name_and_range(value):
     rig, parameters, samples = drawn("box/one", 0)

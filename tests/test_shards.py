@@ -1,6 +1,7 @@
 """Collections in folders: they equal those in memory, need the memory of a piece, and are read as they are used."""
 
 import dataclasses
+import itertools
 import json
 import tracemalloc
 
@@ -78,6 +79,16 @@ def test_writing_needs_the_memory_of_a_piece(tmp_path):
     most = tracemalloc.get_traced_memory()[1]
     tracemalloc.stop()
     assert most < 3 * piece, "of 20 pieces"
+
+
+def test_degraded_pieces_make_the_degraded_whole(tmp_path):
+    options, size = {"count": 8, "points": 16, "seed": 5}, 3
+    rows = itertools.count(0, size)
+    pieces = (data_gen.noisy(one, 0.01, 5, first=next(rows)) for one in data_gen.pieces(MIXED, **options, size=size))
+    data_gen.save_shards(pieces, tmp_path / "noisy")
+    read, whole = data_gen.load(tmp_path / "noisy"), data_gen.noisy(data_gen.generate(MIXED, **options), 0.01, 5)
+    assert not arrays_differ(read, whole)
+    assert read.about == whole.about
 
 
 # what is refused

@@ -103,6 +103,20 @@ def test_no_sheet_is_written_if_a_name_is_unknown(tmp_path):
     assert not list(tmp_path.iterdir())
 
 
+@pytest.mark.parametrize("seed", [-1, 0.5])
+def test_no_sheet_is_written_of_a_bad_seed(tmp_path, seed):
+    with pytest.raises(ValueError, match=f"sheet: seed must be a whole number >= 0, got {seed}; choose one"):
+        catalogue.write_sheets(["box/one"], tmp_path / "new", seed)
+    assert not list(tmp_path.iterdir())
+
+
+def test_no_sheet_is_written_where_a_file_is_in_the_place_of_the_folder(tmp_path):
+    (tmp_path / "mine").write_text("mine", encoding="utf-8")
+    with pytest.raises(ValueError, match=r"sheet: .*mine must be a folder, got a file; choose another name for the"):
+        catalogue.write_sheets(["box/one"], tmp_path / "mine" / "sheets")
+    assert [path.name for path in tmp_path.iterdir()] == ["mine"]
+
+
 def test_all_families_are_chosen_where_none_is_named():
     assert catalogue.chosen(()) == data_gen.families()
 
@@ -112,5 +126,7 @@ def test_a_family_in_words_names_all_it_has():
     for joint in RIG.joint_list:
         assert f"hinge {joint.name}: {', '.join(joint.parts)} on {joint.on}" in said
     assert all(one.meaning in said for one in RIG.parameters)
-    assert "body - flap_left (face_y)" in said or "touching" in said
     assert "flap_left / flap_right" in said
+    for contact in (own := data_gen.family("table/four_legs")).contacts:
+        assert f"{contact.first} - {contact.second} ({contact.kind})" in describe.family(own.name)
+    assert own.contacts

@@ -1,5 +1,7 @@
 """True answers about collections, also between families and for shapes that turn."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -83,9 +85,8 @@ def test_truths_of_a_file_are_those_of_the_memory(tmp_path):
     shapes = data_gen.generate("carton/two_flaps", count=6, points=30)
     data_gen.save(shapes, tmp_path / "a.npz")
     read = data_gen.load(tmp_path / "a.npz")
-    for x, y, z in ((shapes[:2], shapes[2:4], shapes[4:]), (read[:2], read[2:4], read[4:])):
-        found = data_gen.true_transfer(x, y, z, clip=True)
-    np.testing.assert_array_equal(found, data_gen.true_transfer(shapes[:2], shapes[2:4], shapes[4:], clip=True))
+    memory, file = (data_gen.true_transfer(one[:2], one[2:4], one[4:], clip=True) for one in (shapes, read))
+    np.testing.assert_array_equal(file, memory)
 
 
 def test_questions_without_a_true_answer_are_refused():
@@ -111,3 +112,34 @@ def test_handles_of_a_mixed_collection_give_the_points():
         lacking = np.isnan(shapes.boxes[i, :, 0]).repeat(6)
         assert not B[..., lacking].any()
         assert not z0[lacking].any()
+
+
+def test_a_transfer_stays_in_one_category():
+    table, shelf, box = made("table/four_legs", 2), made("table/shelf", 2), made("box/one", 2)
+    for x, y, z in ((table, shelf, box), (box, table, shelf), (table, box, shelf)):
+        named = ", ".join(one.family(0) for one in (x, y, z))
+        words = rf"true_transfer: x, y and z must be of one category, got {named} in row 0; take families whose names"
+        with pytest.raises(ValueError, match=words):
+            data_gen.true_transfer(x, y, z, clip=True)
+    mixed = made(("table/four_legs", "box/one"), 8)
+    row = next(i for i in range(8) if mixed.family(i) == "box/one")
+    with pytest.raises(ValueError, match=f"box/one in row {row}; take families"):
+        data_gen.true_transfer(made("table/four_legs", 8), made("table/four_legs", 8), mixed, clip=True)
+
+
+@pytest.mark.parametrize("sampling", ["fresh", "shared"])
+def test_points_of_no_part_have_no_handles(sampling):
+    shapes = made("table/four_legs", 2, sampling=sampling)
+    labels = shapes.labels.copy()
+    labels[..., ::3] = -1
+    B, z0 = data_gen.handles(replace(shapes, labels=labels), 1)
+    whole, same = data_gen.handles(shapes, 1)
+    assert not B[::3].any()
+    np.testing.assert_array_equal(np.delete(B, slice(None, None, 3), 0), np.delete(whole, slice(None, None, 3), 0))
+    np.testing.assert_array_equal(z0, same)
+
+
+@pytest.mark.parametrize("row", [99, 2, -3])
+def test_handles_of_a_shape_that_is_not_there_are_refused(row):
+    with pytest.raises(ValueError, match=rf"handles: i must be the row of one of 2 shapes, got {row}; count from 0"):
+        data_gen.handles(made("box/one", 2), row)

@@ -1,4 +1,4 @@
-"""The families, one file per category. y is up, the front looks towards +z, the middle stands at x = 0.
+"""The families, one file or folder a category. y is up, the front looks towards +z, the middle stands at x = 0.
 
 Furniture and cars stand on the floor y = -0.5, lamps may hang from y = 0.5, airplanes fly at y = 0.
 """
@@ -80,7 +80,8 @@ def categories():
 
 def family(name):
     """The rig called `name`. Raises ValueError for an unknown name."""
-    if name not in RIGS:
-        alike = [one for one in RIGS if one.split("/")[0] == str(name).split("/")[0]] or RIGS
-        raise ValueError(f"family: a family must be one of {', '.join(alike)}, got {name!r}; check the spelling")
+    if not isinstance(name, str) or name not in RIGS:
+        category = str(name).split("/")[0]
+        known = families(category) if category in categories() else ("the families of " + ", ".join(categories()),)
+        raise ValueError(f"family: a family must be one of {', '.join(known)}, got {name!r}; check the spelling")
     return RIGS[name]

@@ -121,7 +121,7 @@ MICROWAVE = ranges(
     MEANINGS,
     width=(0.52, 0.66),
     height=(0.26, 0.42),
-    depth=(0.36, 0.42),
+    depth=(0.36, 0.415),
     door_thickness=(0.02, 0.035),
     window_margin=(0.04, 0.06),
     panel_width=(0.12, 0.15),

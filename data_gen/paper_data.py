@@ -9,6 +9,7 @@ from data_gen.data_sheet import write_sheet
 from data_gen.draw import FRESH, SHARED
 from data_gen.families import families
 from data_gen.families import family as rig_of
+from data_gen.files import check_folder
 from data_gen.make import generate
 from data_gen.normalise import normalised
 
@@ -83,6 +84,7 @@ def paper(out, *, only=None, lite=False, progress=iter):
             f"paper: only must name a data set, such as poses/carton, or one of {known}, got {only!r}; check it"
         )
     out = Path(out)
+    check_folder(out, "paper")
     for one in progress(chosen):
         path = out / f"{one.name}.npz"
         path.parent.mkdir(parents=True, exist_ok=True)
