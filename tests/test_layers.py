@@ -11,8 +11,8 @@ ROOT = Path(__file__).resolve().parent.parent
 ORDER = {
     "data_gen": (
         "files growing points areas part joint linear rig fits form faults families colours checks sample shards "
-        "archive draw assemble normalise make visible degrade truth handles data_sheet paper_data meshes paint sheet gallery "
-        "catalogue describe __init__ __main__"
+        "archive draw assemble normalise make visible degrade truth handles data_sheet paper_data meshes paint sheet "
+        "gallery catalogue describe __init__ __main__"
     ).split(),
     "dsn_lite": (
         "types dictionary chamfer handles networks shapes contract data files space metrics losses axioms config runs "
