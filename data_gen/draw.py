@@ -46,14 +46,14 @@ class Source:
         """A collection of the shapes with these parameters (N, p), of which everything is known."""
         shared = self.sampling == SHARED
         samples = self.common if shared else fresh(self.rig, parameters, self.points, self.streams[1:])
-        points, rest = self.rig.sampled(samples, parameters, dtype)
+        points, rest, boxes = self.rig.sampled(samples, parameters, dtype)
         return Collection(
             points=points,
             labels=self.rig.triangle_part[samples.faces],
             rest=rest,
             faces=samples.faces,
             weights=samples.weights,
-            boxes=self.rig.boxes(parameters).astype(dtype),
+            boxes=boxes.astype(dtype),
             parameters=parameters.astype(dtype),
             parameter_names=self.rig.parameter_names,
             part_names=self.rig.part_names,

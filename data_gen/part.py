@@ -62,7 +62,6 @@ def rounded(share=0.25, steps=3):
 
 
 RECTANGLE = np.array([(0.5, 0.5), (-0.5, 0.5), (-0.5, -0.5), (0.5, -0.5)])
-TRIANGLE = np.array([(0.0, 0.5), (-0.5, -0.5), (0.5, -0.5)])
 
 
 def loft(name: str, sections: Sequence[Section | Tip], outline=RECTANGLE, closed=False):

@@ -95,7 +95,7 @@ class Rig(Linear):
         return found
 
     def sampled(self, samples, parameters, dtype=np.float64):
-        """Points (N, n, 3) of samples and their rest coordinates, these (n, 3) where all shapes share them.
+        """Points (N, n, 3) of samples, their rest coordinates, (n, 3) where all shapes share them, and `boxes`.
 
         Raises ValueError for parameters out of range.
         """
@@ -103,12 +103,12 @@ class Rig(Linear):
         boxes, labels = self.boxes(parameters), self.triangle_part[samples.faces]
         if self.fixed_rest and not (self.linear and samples.shared):
             rest = self._rest_of_fixed(samples, dtype)
-            return place(boxes, labels, rest, dtype), rest
+            return place(boxes, labels, rest, dtype), rest, boxes
         points = self._unturned_points(samples, parameters, dtype)
         if self.fixed_rest:
-            return points, self._rest_of_fixed(samples, dtype)
+            return points, self._rest_of_fixed(samples, dtype), boxes
         rest = relative(points, boxes if self.linear else self._unturned(boxes, parameters), labels)
-        return (points if self.linear else place(boxes, labels, rest, dtype)), rest
+        return points if self.linear else place(boxes, labels, rest, dtype), rest, boxes
 
     def place(self, samples, parameters, dtype=np.float64):
         """Points (N, n, 3) of samples at parameters (N, p). Raises ValueError for parameters out of range."""

@@ -9,7 +9,6 @@ from hypothesis import strategies as st
 from data_gen.part import (
     AXES,
     RECTANGLE,
-    TRIANGLE,
     Section,
     Tip,
     ball,
@@ -27,6 +26,7 @@ from data_gen.part import (
     volumes,
 )
 
+TRIANGLE = np.array([(0.0, 0.5), (-0.5, -0.5), (0.5, -0.5)])
 SIZES = st.tuples(*[st.floats(0.01, 3.0)] * 3)
 CENTRE = (0.3, -0.2, 0.1)
 
