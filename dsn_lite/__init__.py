@@ -3,7 +3,7 @@
 from importlib import import_module
 from typing import Any
 
-from . import axioms, metrics
+from . import axioms, metrics, modes
 from .chamfer import chamfer
 from .config import Config
 from .data import Shapes
@@ -31,6 +31,7 @@ __all__ = [
     "load_run",
     "load_shapes",
     "metrics",
+    "modes",
     "save_run",
     "save_shapes",
     "train",

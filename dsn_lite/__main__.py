@@ -1,4 +1,4 @@
-"""The command line: python -m dsn_lite collect | train | evaluate | axioms | deform | transfer | zoo | build."""
+"""The command line: python -m dsn_lite collect | train | sweep | evaluate | axioms | deform | transfer | zoo ..."""
 
 import sys
 import warnings
@@ -52,19 +52,62 @@ class Carrying:
 CARRYING = Carrying()
 
 
-def train(file: File, /, *, out: Path, config: OmitArgPrefixes[Settings], resume: bool = False) -> None:
+def train(
+    file: File,
+    /,
+    *,
+    out: Path,
+    config: OmitArgPrefixes[Settings],
+    family: str | None = None,
+    resume: bool = False,
+) -> None:
     """Train a deformation space on the shapes of a sample file. Ctrl-C stops and keeps the best weights so far.
 
     Args:
         file: A sample file (.npz), as python -m data_gen generate writes it.
         out: The run folder to write.
         config: What the training is told.
+        family: Take only the shapes of this family, where the file holds several.
         resume: Go on with a training that was stopped.
     """
     records: list[Record] = []
     told = Config(**asdict(config))
-    training(load_shapes(file), told, out=out, resume=resume, watch=lambda _, record: records.append(record))
+    shapes = _shapes(file, family)
+    training(shapes, told, out=out, resume=resume, watch=lambda _, record: records.append(record))
     print(f"{out}: {_summary(records)}")
+
+
+def sweep(
+    files: Positional[Annotated[tuple[Path, ...], arg(metavar="FILE...")]],
+    /,
+    *,
+    out: Path,
+    config: OmitArgPrefixes[Settings],
+    whole: bool = False,
+    jobs: int | None = None,
+    dask: str | None = None,
+) -> int:
+    """Train one network for each family of some sample files, several at once, each in a process of its own.
+
+    The folders of the runs have the names of the families, or of files that hold a single one. The same command again
+    skips what is finished and goes on with what was stopped. Ctrl-C stops all, and each keeps its best weights so far.
+
+    Args:
+        files: Sample files (.npz), or folders of shards.
+        out: The folder for the run folders, and for sweep.json, the table that is printed at the end.
+        config: What each training is told.
+        whole: One network for each file, of all its families together.
+        jobs: How many are trained at once; each gets its share of the cores. As many as there are cores, if not told.
+        dask: Train on the workers of the Dask scheduler at this address instead, as many at once as they have threads
+            (jobs then says how many share a machine). They must see files and folders under the same paths.
+    """
+    from . import sweep as sweeping  # joblib loads slowly, and each training would wait for it
+
+    told = Config(**asdict(config))
+    outcomes = sweeping.sweep(files, out, told, whole=whole, jobs=jobs, dask=dask)
+    print(sweeping.table(outcomes))
+    states = {outcome.state for outcome in outcomes}
+    return 1 if "failed" in states else 130 if "stopped" in states else 0
 
 
 def collect(
@@ -98,9 +141,11 @@ def evaluate(
     /,
     *,
     again: Path | None = None,
+    family: str | None = None,
     all: bool = False,
     pairs: int = 200,
     seed: int = 0,
+    project: bool = False,
 ) -> None:
     """Measure a space on the hold-out shapes of the file it was trained on.
 
@@ -108,30 +153,33 @@ def evaluate(
         run: A run folder, or the name of a ready-made space.
         file: A sample file (.npz).
         again: The same shapes sampled once more (python -m data_gen resample), for the sampling floor.
+        family: Take only the shapes of this family, as it was trained on them.
         all: Take every shape: for a file that the space was not trained on.
         pairs: How many pairs and triplets are drawn.
         seed: Seed of the pairs.
+        project: Bring what is deformed to what the handles of its parts can follow (Eq. 8).
     """
-    shapes, second = load_shapes(file), None if again is None else load_shapes(again)
+    shapes, second = _shapes(file, family), None if again is None else _shapes(again, family)
     if second is not None and len(second) != len(shapes):
         raise ValueError(
             f"evaluate: --again must hold the {len(shapes)} shapes of {file}, got {len(second)}; resample that file"
         )
     shapes, second = _held_out(shapes, run, all), second and _held_out(second, run, all)
     print(f"{len(shapes)} shapes of {file}")
-    print(metrics.evaluate(_space(run), shapes, again=second, pairs=pairs, seed=seed))
+    print(metrics.evaluate(_space(run), shapes, again=second, pairs=pairs, seed=seed, project=project))
 
 
-def report_axioms(run: Run, file: File, /, *, all: bool = False, seed: int = 0) -> None:
+def report_axioms(run: Run, file: File, /, *, family: str | None = None, all: bool = False, seed: int = 0) -> None:
     """Print how far a space is from each axiom and derived law, on the hold-out shapes of its file.
 
     Args:
         run: A run folder, or the name of a ready-made space.
         file: A sample file (.npz).
+        family: Take only the shapes of this family, as it was trained on them.
         all: Take every shape: for a file that the space was not trained on.
         seed: Seed of the triplets.
     """
-    print(axioms.report(_space(run), _held_out(load_shapes(file), run, all), seed=seed))
+    print(axioms.report(_space(run), _held_out(_shapes(file, family), run, all), seed=seed))
 
 
 def deform(
@@ -197,6 +245,47 @@ def show_zoo(*, rebuild: str | None = None) -> None:
         print(f"{name}  k = {space.dictionary.k}, {space.frame.n} points, {count} weights")
 
 
+def reproduce(
+    name: Positional[Annotated[str | None, arg(metavar="NAME")]] = None,
+    /,
+    *,
+    full: bool = False,
+    seeds: int = 3,
+    only: str | None = None,
+    out: Path | None = None,
+    device: str = "cpu",
+    write: bool = False,
+) -> None:
+    """Make the paper's tables and figures again, run by run, and RESULTS.md of them; without a NAME, list them.
+
+    What is done with the same settings is not done again, and what was stopped goes on where it was.
+
+    Args:
+        name: An experiment, or all.
+        full: The paper's scale, which takes hours a run and wants a GPU, not the one that fits two cores.
+        seeds: How many seeds each run is made with.
+        only: Make only the runs that have this in their names.
+        out: A folder to begin anew in: shapes, trainings, results and RESULTS.md go there.
+        device: Where it is trained and measured.
+        write: Only write RESULTS.md again, of the figures that are there.
+    """
+    from .experiments import chosen, report, running
+    from .experiments.kinds import Scale
+
+    scale, folder = Scale("full" if full else "lite", seeds), out or report.HERE
+    place = running.Workplace(out or Path("runs") / "reproduce", folder / report.RESULTS, device)
+    if name is None and not write:
+        print(report.listing(folder))
+        return
+    asked = chosen(name or "all")
+    runs = running.selected(asked, scale, only)
+    try:
+        for experiment in [] if write else asked:
+            running.reproduce(experiment, runs[experiment.name], scale, place)
+    finally:  # also of what was done before Ctrl-C
+        print(report.write(folder))
+
+
 def build(what: Positional[Literal["student"]], /, *, check: bool = False, root: Path = Path(".")) -> None:
     """Make the students' notebooks from their sources in notebooks/source.
 
@@ -220,6 +309,11 @@ def _summary(records: Sequence[Record]) -> str:
         return "stopped before the first look at the validation shapes"
     best, last = min(records, key=lambda record: record.validation_cd), records[-1]
     return f"{last.step} steps in {last.seconds:.1f} s, validation Chamfer distance {best.validation_cd:.4g}"
+
+
+def _shapes(file: Path, family: str | None) -> Shapes:
+    shapes = load_shapes(file)
+    return shapes if family is None else shapes.of_family(family)
 
 
 def _folder(run: str) -> Path:
@@ -257,19 +351,21 @@ def _save(mesh: object, out: Path) -> None:
 COMMANDS = {
     "collect": collect,
     "train": train,
+    "sweep": sweep,
     "evaluate": evaluate,
     "axioms": report_axioms,
     "deform": deform,
     "transfer": transfer,
     "zoo": show_zoo,
+    "reproduce": reproduce,
     "build": build,
 }
 
 
 def main(args: Sequence[str] | None = None) -> int:
-    """Run a command; trouble becomes one sentence on stderr and 2 is returned, 130 after Ctrl-C."""
+    """Run a command; trouble becomes one sentence on stderr and 2 is returned, 130 after Ctrl-C, or its own code."""
     try:
-        tyro.extras.subcommand_cli_from_dict(
+        code = tyro.extras.subcommand_cli_from_dict(
             COMMANDS, prog="python -m dsn_lite", description="Deformation spaces: train, measure, use.", args=args
         )
     except (ValueError, OSError, FloatingPointError, ImportError) as trouble:
@@ -278,7 +374,7 @@ def main(args: Sequence[str] | None = None) -> int:
     except KeyboardInterrupt:
         print("stopped", file=sys.stderr)
         return 130
-    return 0
+    return code or 0
 
 
 if __name__ == "__main__":

@@ -5,7 +5,6 @@ Neighbours are found without gradient, then measured with it. On the CPU they co
 on a GPU from blocks of all distances.
 """
 
-import os
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from functools import cache
@@ -21,15 +20,22 @@ from .types import OtherPoints, Partners, Points, check_clouds
 BLOCK = 1 << 24  # entries of one block of squared distances on a GPU: 64 MB of float32
 
 
-def chamfer(x: Points, y: OtherPoints, trees: Sequence[cKDTree] | None = None) -> Float[Tensor, "*#b"]:
-    """Ch(x, y), one number a pair of clouds, differentiable in both; `trees` are kept trees of y (see `plant`).
+def chamfer(
+    x: Points, y: OtherPoints, trees: Sequence[cKDTree] | None = None, own: Sequence[cKDTree] | None = None
+) -> Float[Tensor, "*#b"]:
+    """Ch(x, y), one number a pair of clouds, differentiable in both; `trees` are kept trees of y, `own` of x (`plant`).
 
     Raises ValueError where x or y is not (..., n, 3), has no points, or holds NaN or infinity.
     """
     check_clouds("chamfer", x=x, y=y)
     batch = torch.broadcast_shapes(x.shape[:-2], y.shape[:-2])
     x, y = x.expand(*batch, *x.shape[-2:]), y.expand(*batch, *y.shape[-2:])
-    return _one_way(x, y, nearest(x, y, trees)) + _one_way(y, x, nearest(y, x))
+    return _one_way(x, y, nearest(x, y, trees)) + _one_way(y, x, nearest(y, x, own))
+
+
+def one_way(x: Points, y: OtherPoints, trees: Sequence[cKDTree] | None = None) -> Float[Tensor, "*#b"]:
+    """mean_i min_j |x_i - y_j|^2: the half of Ch(x, y) that starts from x."""
+    return _one_way(x, y, nearest(x, y, trees))
 
 
 def nearest(x: Points, y: OtherPoints, trees: Sequence[cKDTree] | None = None) -> Partners:
@@ -72,6 +78,10 @@ def _squared_distances(x: Points, y: OtherPoints) -> Float[Tensor, "*#b n p"]:
     return sum((here - there).square() for here, there in axes)
 
 
-@cache
 def _pool() -> ThreadPoolExecutor:
-    return ThreadPoolExecutor(max_workers=os.cpu_count() or 1, thread_name_prefix="chamfer")
+    return _threads(torch.get_num_threads())  # several trainings side by side share the cores by it
+
+
+@cache
+def _threads(count: int) -> ThreadPoolExecutor:
+    return ThreadPoolExecutor(max_workers=count, thread_name_prefix="chamfer")

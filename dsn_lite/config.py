@@ -6,10 +6,17 @@ from typing import Any
 import torch
 
 from .data import Frame, Shapes
-from .losses import AXES
-from .networks import DictionaryPredictor, Encoder, reset
-from .space import DeformSyncNet
+from .losses import AXES, SPARSITY
+from .networks import DictionaryPredictor, Encoder, PairEncoder, reset
+from .space import ConcatSpace, DeformSyncNet
 
+CHOICES = {
+    "mirror": (tuple(AXES), "data_gen mirrors at x = 0"),
+    "norm": (tuple(SPARSITY), 'the paper trains with "l21"'),
+    "vector": (("difference", "concat"), 'keep "difference" unless you compare'),
+    "columns": (("rms", "unit"), 'keep "rms" unless you compare'),
+}
+LOOKED_AT = 1000  # shapes of a collection that stand for all: it may be larger than memory
 FARTHEST = 10.0  # coordinates beyond it were never brought to a common scale
 
 
@@ -25,30 +32,36 @@ class Config:
     learning_rate: float = 4e-3  # paper's code: 5e-4 and 1e-3
     symmetry: float = 0.0  # weight of L_R; paper: 1
     mirror: str = "x"  # axis across which shapes are symmetric
+    sparsity: float = 0.0  # weight of L_S, for shapes with parts; paper: 10
+    norm: str = "l21"  # of L_S: "l21" as in the paper's training, or "l1"
+    project: bool = False  # d_proj while training: the loss sees what the shapes' handles can follow
+    vector: str = "difference"  # of codes; or "concat", the ablation that reads both shapes together
     features: tuple[int, ...] = (32, 64, 128)  # widths of the point features of E and F; paper: 64-64-64-128-1024
     head: tuple[int, ...] = (128, 64)  # widths of F's head; paper: 512-256-128
     columns: str = "rms"  # unit root mean square, or "unit" length as in the paper
+    clip: float = 10.0  # longest gradient: a step never goes farther
     seed: int = 0
     device: str = "cpu"
 
     def __post_init__(self) -> None:
-        for name in ("k", "batch", "points", "learning_rate"):
+        for name in ("k", "batch", "points", "learning_rate", "clip"):
             self._positive(name, getattr(self, name))
         self._positive("seconds" if self.steps is None else "steps", self.seconds if self.steps is None else self.steps)
         if self.batch < 2:
             raise ValueError(
                 f"Config: batch must be at least 2, since a batch is paired within itself, got {self.batch}"
             )
-        if not 0 <= self.symmetry < float("inf"):
-            raise ValueError(f"Config: symmetry must be a weight, 0 or more, got {self.symmetry}; 0 leaves L_R out")
-        if self.mirror not in AXES:
-            raise ValueError(f'Config: mirror must be "x", "y" or "z", got {self.mirror!r}; data_gen mirrors at x = 0')
+        for name, term in (("symmetry", "L_R"), ("sparsity", "L_S")):
+            if not 0 <= getattr(self, name) < float("inf"):
+                raise ValueError(
+                    f"Config: {name} must be a weight, 0 or more, got {getattr(self, name)}; 0 leaves {term} out"
+                )
         if self.seed < 0:
             raise ValueError(f"Config: seed must be 0 or more, got {self.seed}; any whole number will do")
-        if self.columns not in ("rms", "unit"):
-            raise ValueError(
-                f'Config: columns must be "rms" or "unit", got {self.columns!r}; keep "rms" unless you compare'
-            )
+        for name, (choices, cure) in CHOICES.items():
+            if getattr(self, name) not in choices:
+                known = " or ".join(f'"{choice}"' for choice in choices)
+                raise ValueError(f"Config: {name} must be {known}, got {getattr(self, name)!r}; {cure}")
         if len(self.features) < 2 or not self.head or min(*self.features, *self.head) < 1:
             raise ValueError(
                 f"Config: features needs at least two widths and head one, each 1 or more, got {self.features} and "
@@ -61,15 +74,17 @@ class Config:
 
     def check(self, shapes: Shapes) -> None:
         """Raises ValueError where these shapes cannot be trained on with this configuration."""
-        N, n = shapes.points.shape[:2]
+        N, n = shapes.points.shape[0], min(self.points, shapes.points.shape[1])
         if self.k > 3 * n:
             raise ValueError(f"train: k must be at most 3n = {3 * n} for shapes of {n} points, got {self.k}; lower k")
+        if self.sparsity or self.project:
+            _check_parts(shapes)
         if N < 8:
             raise ValueError(
                 f"train: at least 8 shapes are needed to train and to hold some out, got {N}; bring more shapes"
             )
 
-        if (far := shapes.points.abs().max().item()) > FARTHEST:
+        if (far := some(shapes).points.abs().max().item()) > FARTHEST:
             raise ValueError(
                 f"train: points should lie in [-0.5, 0.5] and must not lie beyond {FARTHEST:g}, got {far:.3g}; "
                 "scale all shapes alike"
@@ -91,8 +106,23 @@ def check_device(device: str) -> None:
         raise ValueError(f'device: must be one that torch can use here, got {device!r}; use "cpu"') from None
 
 
+def some(shapes: Shapes, rows: Any = None) -> Shapes:
+    """At most LOOKED_AT of these rows of a collection, evenly spread."""
+    rows = torch.arange(len(shapes)) if rows is None else torch.arange(len(shapes))[rows]
+    return shapes[rows[:: -(-len(rows) // LOOKED_AT)]]
+
+
+def _check_parts(shapes: Shapes) -> None:
+    if any(known is None for known in (shapes.labels, shapes.rest, shapes.boxes)):
+        raise ValueError(
+            "train: sparsity and project need shapes with labels, rest and boxes, these have no parts; leave both out"
+        )
+
+
 def network(config: Config, frame: Frame | None = None) -> DeformSyncNet:
-    """An untrained DeformSyncNet of this configuration."""
-    encoder = Encoder(config.k, config.features, (config.features[-2],))
+    """An untrained DeformSyncNet of this configuration; with vector = "concat", its ablation."""
+    encoder = Encoder if config.vector == "difference" else PairEncoder
+    kind = DeformSyncNet if config.vector == "difference" else ConcatSpace
     predictor = DictionaryPredictor(config.k, config.features[:1], config.features[1:], config.head, config.columns)
-    return reset(DeformSyncNet(encoder, predictor, frame), config.seed)
+    read = encoder(config.k, config.features, (config.features[-2],))
+    return reset(kind(read, predictor, frame), config.seed)

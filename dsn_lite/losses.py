@@ -1,5 +1,7 @@
-"""The training losses of Section 3.3 (Eqs. 9-13). Chamfer terms carry no factor: the paper states none (the authors'
-code multiplies both by 100, which matters only against the weight of the sparsity terms).
+"""The training losses of Section 3.3 (Eqs. 9-13), L = 100 (L_F + w_R L_R) + w_S L_S.
+
+The paper states no factor before its Chamfer terms; the authors' code has 100. Without it the paper's w_S = 10 lets the
+sparsity term decide alone (it is some 0.3 where L_F is 0.003), so the factor is kept: it is what w_S is measured by.
 """
 
 from collections.abc import Sequence
@@ -8,20 +10,28 @@ from jaxtyping import Float
 from scipy.spatial import cKDTree
 from torch import Tensor
 
-from .chamfer import chamfer
-from .types import OtherPoints, Points
+from .batch_handles import BatchHandles
+from .chamfer import chamfer, one_way
+from .types import Dictionary, OtherPoints, Points
 
 AXES = {"x": 0, "y": 1, "z": 2}
+FACTOR = 100.0  # of the Chamfer terms
+REFERENCE = 2048  # points at which a column of the paper has length 1
 
 
-def fitting(deformed: Points, y: OtherPoints, trees: Sequence[cKDTree] | None = None) -> Float[Tensor, ""]:
-    """L_F = Ch(d(x -> y), y), mean over the batch (Eq. 9)."""
-    return chamfer(deformed, y, trees).mean()
+def fitting(
+    deformed: Points, y: OtherPoints, trees: Sequence[cKDTree] | None = None, own: Sequence[cKDTree] | None = None
+) -> Float[Tensor, ""]:
+    """L_F = Ch(d(x -> y), y), mean over the batch (Eq. 9). `trees` are kept trees of y, `own` of the deformed."""
+    return chamfer(deformed, y, trees, own).mean()
 
 
-def symmetry(deformed: Points, axis: str = "x") -> Float[Tensor, ""]:
-    """L_R = Ch(d, R d), mean over the batch, R the mirror at the plane where `axis` is 0 (Eq. 10)."""
-    return chamfer(deformed, mirror(deformed, axis)).mean()
+def symmetry(deformed: Points, axis: str = "x", own: Sequence[cKDTree] | None = None) -> Float[Tensor, ""]:
+    """L_R = Ch(d, R d), mean over the batch, R the mirror at the plane where `axis` is 0 (Eq. 10).
+
+    R is its own inverse and keeps lengths, so both directions are one number and one query of the trees of d.
+    """
+    return 2 * one_way(mirror(deformed, axis), deformed, own).mean()
 
 
 def mirror(x: Points, axis: str) -> Points:
@@ -31,6 +41,15 @@ def mirror(x: Points, axis: str) -> Points:
     flip = x.new_ones(3)
     flip[AXES[axis]] = -1
     return x * flip
+
+
+def handle_dictionary(A: Dictionary, handles: BatchHandles, columns: str = "rms") -> Float[Tensor, "N m k"]:
+    """B+F(x), with columns as long as the paper's: of length 1 over 3n at n = 2048, whatever n and `columns` are.
+
+    A has unit columns by `columns`. So a weight of the sparsity terms means the same at every n.
+    """
+    unit = A.shape[-3] if columns == "unit" else 1
+    return handles.coordinates(A) * (unit / REFERENCE) ** 0.5
 
 
 def sparsity_l1(handle_dictionary: Float[Tensor, "*b m k"]) -> Float[Tensor, ""]:
@@ -43,3 +62,6 @@ def sparsity_l21(handle_dictionary: Float[Tensor, "*b m k"]) -> Float[Tensor, ""
     # the floor keeps the gradient of a zero column from being NaN
     lengths = handle_dictionary.square().sum(-2).clamp_min(1e-24).sqrt()
     return lengths.sum(-1).mean() / handle_dictionary.shape[-1]
+
+
+SPARSITY = {"l1": sparsity_l1, "l21": sparsity_l21}

@@ -10,6 +10,7 @@ import torch
 from jaxtyping import Float
 from torch import Tensor
 
+from .batch_handles import BatchHandles
 from .chamfer import chamfer
 from .data import Shapes, triplets, true_deformation, true_transfer
 from .files import as_shapes
@@ -46,30 +47,49 @@ class Evaluation:
     floor: float | None
     exact_cd: float | None  # what the true deformation scores: samples of x placed on y are not area-weighted on y
     identity: float
-    parallelogram_cd: float
+    parallelogram_cd: float  # Ch(z (+) xy, y (+) xz)
+    parallelogram_idle_cd: float  # Ch(z, y): where nothing moves
     moved: float  # rms of z (+) xy - z: a parallelogram closes easily where little moves
     share_moved: float  # rms of z (+) xy - z over rms of x (+) xy - x
     transfer_error: float | None  # squared distance to the true transfer, as a share of leaving z alone
 
+    @property
+    def fitting_share(self) -> float | None:
+        """What is left to fit, (CD - floor) / (doing nothing - floor): 0 at the sampling floor, 1 for doing nothing."""
+        return None if self.floor is None else (self.fitting_cd - self.floor) / (self.do_nothing_cd - self.floor)
+
+    @property
+    def parallelogram_share(self) -> float | None:
+        """What is left to close, (Ch(z + xy, y + xz) - floor) / (Ch(z, y) - floor)."""
+        if self.floor is None:
+            return None
+        return (self.parallelogram_cd - self.floor) / (self.parallelogram_idle_cd - self.floor)
+
     def __repr__(self) -> str:
         lines = []
-        for name, value in asdict(self).items():
+        shares = {"fitting_share": self.fitting_share, "parallelogram_share": self.parallelogram_share}
+        for name, value in (asdict(self) | shares).items():
             shown = "unknown" if value is None else f"{value:.4g}"
             compared = name.endswith("_cd") and value is not None and self.floor
-            lines.append(f"{name:>17}  {shown}" + (f"  = {value / self.floor:.2f} x floor" if compared else ""))
+            lines.append(f"{name:>21}  {shown}" + (f"  = {value / self.floor:.2f} x floor" if compared else ""))
         return "\n".join(lines)
 
 
 @torch.no_grad()
-def evaluate(space: ActionSpace, shapes: Any, *, again: Any = None, pairs: int = 200, seed: int = 0) -> Evaluation:
+def evaluate(
+    space: ActionSpace, shapes: Any, *, again: Any = None, pairs: int = 200, seed: int = 0, project: bool = False
+) -> Evaluation:
     """Measures a space on shapes it was not trained on; `again` is a second sampling of them, for the floor.
 
-    Both are collections or plain arrays (N, n, 3). Raises ValueError where there are fewer than three shapes.
+    Both are collections or plain arrays (N, n, 3). With `project` all that is deformed is brought to what the handles
+    of its parts can follow (Eq. 8), transfers too. Raises ValueError where there are fewer than three shapes, or no
+    parts to project to.
     """
     shapes = as_shapes(shapes).like(space)
-    x, y, z = triplets(shapes, pairs, seed)
-    deformed, moved = space.deform(x.points, y.points), space.transfer(x.points, y.points, z.points)
     known = shapes.truth_is_known
+    x, y, z = triplets(shapes, pairs, seed)
+    deformed = held(x, space.deform(x.points, y.points), project)
+    moved, other = (held(b, space.transfer(x.points, a.points, b.points), project) for a, b in ((y, z), (z, y)))
     return Evaluation(
         pairs=pairs,
         fitting_cd=chamfer(deformed, y.points).mean().item(),
@@ -77,23 +97,29 @@ def evaluate(space: ActionSpace, shapes: Any, *, again: Any = None, pairs: int =
         floor=None if again is None else floor(shapes, as_shapes(again).like(space)),
         exact_cd=chamfer(true_deformation(x, y), y.points).mean().item() if known else None,
         identity=rms(space.deform(x.points, x.points) - x.points),
-        parallelogram_cd=chamfer(moved, space.transfer(x.points, z.points, y.points)).mean().item(),
+        parallelogram_cd=chamfer(moved, other).mean().item(),
+        parallelogram_idle_cd=chamfer(z.points, y.points).mean().item(),
         moved=rms(moved - z.points),
         share_moved=rms(moved - z.points) / max(rms(deformed - x.points), 1e-12),
-        transfer_error=_transfer_error(space, shapes, pairs, seed) if known else None,
+        transfer_error=_transfer_error(space, shapes, pairs, seed, project) if known else None,
     )
 
 
-def _transfer_error(space: ActionSpace, shapes: Shapes, pairs: int, seed: int) -> float | None:
+def held(shapes: Shapes, moved: Points, project: bool = True) -> Points:
+    """d_proj (Eq. 8): shapes that were moved, brought to what the handles of their own parts can follow."""
+    return BatchHandles.of(shapes).project(moved) if project else moved
+
+
+def _transfer_error(space: ActionSpace, shapes: Shapes, pairs: int, seed: int, project: bool) -> float | None:
     try:
-        return transfer_error(space, *triplets(shapes, pairs, seed, with_truth=True))
+        return transfer_error(space, *triplets(shapes, pairs, seed, with_truth=True), project=project)
     except ValueError:  # among few shapes no true transfer may stay inside the ranges
         return None
 
 
 @torch.no_grad()
-def transfer_error(space: ActionSpace, x: Shapes, y: Shapes, z: Shapes) -> float:
+def transfer_error(space: ActionSpace, x: Shapes, y: Shapes, z: Shapes, *, project: bool = False) -> float:
     """Mean squared distance of z (+) xy to the true transfer of the same samples, as a share of leaving z alone."""
     truth = true_transfer(x, y, z)
-    wrong = mean_square(space.transfer(x.points, y.points, z.points) - truth)
+    wrong = mean_square(held(z, space.transfer(x.points, y.points, z.points), project) - truth)
     return (wrong / mean_square(DoNothing().act(z.points, z.points.new_zeros(1)) - truth)).item()

@@ -12,6 +12,7 @@ from jaxtyping import Float
 from torch import Tensor, nn
 
 from .dictionary import column_scales
+from .pooling import linear_max
 from .types import OtherPoints, Points, Vector
 
 
@@ -19,8 +20,21 @@ def perceptron(widths: Sequence[int]) -> nn.Sequential:
     """Linear layers with LeakyReLU between them, none after the last."""
     layers: list[nn.Module] = []
     for before, after in pairwise(widths):
-        layers += [nn.Linear(before, after), nn.LeakyReLU(0.2)]
+        layers += [nn.Linear(before, after), nn.LeakyReLU(0.2, inplace=True)]  # no layer needs what it overwrites
     return nn.Sequential(*layers[:-1])
+
+
+class Features(nn.Module):
+    """One feature a cloud: the maximum over its points of what a perceptron makes of each; blind to their order."""
+
+    def __init__(self, widths: Sequence[int]):
+        super().__init__()
+        self.points = perceptron(widths)
+
+    def forward(self, h: Float[Tensor, "*b n c"]) -> Float[Tensor, "*b g"]:
+        """The feature of each cloud."""
+        last = self.points[-1]
+        return linear_max(self.points[:-1](h), last.weight, last.bias)
 
 
 class Encoder(nn.Module):
@@ -28,12 +42,25 @@ class Encoder(nn.Module):
 
     def __init__(self, k: int, features: Sequence[int] = (64, 128, 256), head: Sequence[int] = (128,)):
         super().__init__()
-        self.features = perceptron((3, *features))
+        self.features = Features((3, *features))
         self.head = perceptron((features[-1], *head, k))
 
     def forward(self, x: Points) -> Vector:
         """E(x)."""
-        return self.head(self.features(x).amax(-2))
+        return self.head(self.features(x))
+
+
+class PairEncoder(nn.Module):
+    """The Concat ablation of Section 4.2: one vector from the features of two clouds, not a difference of codes."""
+
+    def __init__(self, k: int, features: Sequence[int] = (64, 128, 256), head: Sequence[int] = (128,)):
+        super().__init__()
+        self.features = Features((3, *features))
+        self.head = perceptron((2 * features[-1], *head, k))
+
+    def forward(self, from_x: Float[Tensor, "*#b g"], from_y: Float[Tensor, "*#b g"]) -> Vector:
+        """The vector of a pair from its two features [g(x); g(y)]."""
+        return self.head(torch.cat(torch.broadcast_tensors(from_x, from_y), dim=-1))
 
 
 class DictionaryPredictor(nn.Module):
@@ -50,18 +77,25 @@ class DictionaryPredictor(nn.Module):
         super().__init__()
         self.k, self.columns = k, columns
         self.local = perceptron((3, *local))
-        self.features = perceptron((local[-1], *features))
+        self.features = Features((local[-1], *features))
         self.from_local = nn.Linear(local[-1], head[0])
         self.from_global = nn.Linear(features[-1], head[0], bias=False)
-        self.head = nn.Sequential(nn.LeakyReLU(0.2), perceptron((*head, 3 * k)))
+        self.head = nn.Sequential(nn.LeakyReLU(0.2, inplace=True), perceptron((*head, 3 * k)))
 
     def forward(self, x: Points, at: OtherPoints | None = None) -> Float[Tensor, "*#b _ 3 k"]:
         """F(x) at the points of x, or at other points of the same shape with x's global feature and column scales."""
-        here = self.local(x)
-        whole = self.features(here).amax(-2, keepdim=True)
-        A = self._fields(here, whole)
-        scales = column_scales(A, self.columns)
+        A, scales, whole = self._read(x)
         return A / scales if at is None else self._fields(self.local(at), whole) / scales
+
+    def unscaled(self, x: Points) -> tuple[Float[Tensor, "*#b n 3 k"], Float[Tensor, "*#b 1 1 k"]]:
+        """F(x) as fields and their column scales, F(x) = fields / scales: A v = fields (v / scales) never divides A."""
+        return self._read(x)[:2]
+
+    def _read(self, x: Points) -> tuple[Tensor, Tensor, Tensor]:
+        here = self.local(x)
+        whole = self.features(here).unsqueeze(-2)
+        A = self._fields(here, whole)
+        return A, column_scales(A, self.columns), whole
 
     def _fields(self, local: Tensor, whole: Tensor) -> Tensor:
         # W [g; p] = W_g g + W_p p: the global feature g meets W once a cloud, not once a point

@@ -24,7 +24,9 @@ from .space import DeformSyncNet
 PROBE_TOLERANCE = 1e-4  # sums of float32 differ in their last digits between machines
 
 
-def save_run(space: DeformSyncNet, config: Config, run: str | Path, probe: Float[Tensor, "2 n 3"]) -> None:
+def save_run(
+    space: DeformSyncNet, config: Config, run: str | Path, probe: Float[Tensor, "2 n 3"], *, finished: bool = True
+) -> None:
     """Writes config, weights and the probe d(x -> y) of two shapes x, y into the folder `run`."""
     run, (x, y) = Path(run), probe.float().cpu()
     run.mkdir(parents=True, exist_ok=True)
@@ -32,7 +34,7 @@ def save_run(space: DeformSyncNet, config: Config, run: str | Path, probe: Float
     with torch.no_grad():
         save_tensors({"x": x, "y": y, "deformed": space.deform(x, y)}, run / "probe.safetensors")
     save_tensors(space.state_dict(), run / "model.safetensors")
-    about = {"config": asdict(config), "frame": asdict(space.frame)}
+    about = {"config": asdict(config), "frame": asdict(space.frame), "finished": finished}
     beside(run / "config.json", lambda path: path.write_text(json.dumps(about, indent=2) + "\n", encoding="utf-8"))
     space.to(config.device)
 
@@ -52,6 +54,14 @@ def load_run(run: str | Path, device: str = "cpu") -> DeformSyncNet:
     return space.requires_grad_(False).to(device).eval()
 
 
+def finished(run: str | Path) -> bool:
+    """Whether the training of this folder reached its end; False where there is none, or it was stopped."""
+    try:
+        return bool(json.loads((Path(run) / "config.json").read_text(encoding="utf-8"))["finished"])
+    except (OSError, ValueError, KeyError, TypeError):
+        return False
+
+
 def _check_probe(space: DeformSyncNet, probe: dict[str, Tensor], run: Path) -> None:
     kinds = {name: (tensor.dtype, tensor.ndim, *tensor.shape[1:]) for name, tensor in probe.items()}
     if kinds != dict.fromkeys(("x", "y", "deformed"), (torch.float32, 2, 3)):
@@ -60,7 +70,7 @@ def _check_probe(space: DeformSyncNet, probe: dict[str, Tensor], run: Path) -> N
             f"got {', '.join(probe)}; take the run from its source again"
         )
     with torch.no_grad():
-        again = space.act(probe["x"], space.encode(probe["y"]) - space.encode(probe["x"]))
+        again = space.act(probe["x"], space.between(space.read(probe["x"]), space.read(probe["y"])))
         off = (again - probe["deformed"]).abs().max().item() if len(probe["x"]) == len(probe["deformed"]) else np.inf
     if not off <= PROBE_TOLERANCE:
         raise ValueError(

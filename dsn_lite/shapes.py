@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 import torch
-from jaxtyping import Float, Int
+from jaxtyping import Bool, Float, Int
 from torch import Tensor, nn
 
 SPLIT = (0.85, 0.05, 0.10)  # training, validation, test: Section 4.1 of the paper
@@ -79,6 +79,28 @@ class Shapes:
         )  # its rows are those of the whole
         return replace(self, names=names, about=about, **taken)
 
+    @property
+    def family_names(self) -> tuple[str, ...]:
+        """Names of the families that these shapes are of, in the order of their rows; empty if nothing tells."""
+        if self.families is None:
+            return (self.about["family"],) if "family" in self.about else ()
+        return tuple(self.about["families"][row] for row in self.families.unique().tolist())
+
+    def of_family(self, name: str) -> "Shapes":
+        """The shapes of one family of a mixed collection, in their order and with their part of a split that it tells.
+
+        What this family lacks stays NaN. Raises ValueError, naming the families there are, where there is no such.
+        """
+        if name not in self.family_names:
+            known = ", ".join(self.family_names) or "of no known family"
+            raise ValueError(f"of_family: shapes of {name!r} must be among these, they are {known}; take one of them")
+        if self.families is None:
+            return self
+        own = self.families == self.about["families"].index(name)
+        split = self.about.get("split") and _rows(self.about["split"], len(self))
+        about = self.about | {"split": split and _among(own, split)}
+        return replace(self[own.nonzero().flatten()], about=about)
+
     def like(self, space: nn.Module) -> "Shapes":
         """The same shapes in the precision and on the device of a space's weights, where it has any."""
         weight = next(chain(space.parameters(), space.buffers()), self.points)
@@ -96,9 +118,13 @@ class Shapes:
 
         Raises ValueError where there are not at least 1, 2 and 1 of them.
         """
+        train, validation, test = self.rows(seed)
+        return self[train], self[validation], self[test]
+
+    def rows(self, seed: int = 0) -> tuple[slice | Int[Tensor, " _"], ...]:
+        """The rows of the three parts of `split`; of collections larger than memory, some of them can be taken."""
         if self.about.get("split"):
-            train, validation, test = _rows(self.about["split"], len(self))
-            return self[train], self[validation], self[test]
+            return tuple(_rows(self.about["split"], len(self)))
         N = len(self)
         if N < sum(FEWEST):
             raise ValueError(
@@ -106,7 +132,7 @@ class Shapes:
             )
         order = torch.from_numpy(np.random.default_rng(seed).permutation(N))
         test, validation = max(1, round(SPLIT[2] * N)), max(2, round(SPLIT[1] * N))
-        return self[order[test + validation :]], self[order[test : test + validation]], self[order[:test]]
+        return order[test + validation :], order[test : test + validation], order[:test]
 
     def at_boxes(self, boxes: Float[Tensor, "N P 15"]) -> Float[Tensor, "N n 3"]:
         """The same samples placed on other boxes: p = c + R diag(s) u."""
@@ -130,3 +156,9 @@ def _rows(split: Any, N: int) -> list[slice]:
             f"least 1, 2 and 1 of them, got {split}; write the file again, or without a split"
         )
     return [slice(part.start, part.stop) for part in rows]
+
+
+def _among(own: Bool[Tensor, " N"], split: list[slice]) -> dict[str, list[int]]:
+    """The rows of a split, counted among some of the shapes."""
+    before = [0, *own.cumsum(0).tolist()]
+    return {part: [before[rows.start], before[rows.stop]] for part, rows in zip(PARTS, split, strict=True)}

@@ -165,4 +165,29 @@ class DeformSyncNet(ActionSpace):
 
     def vector(self, x: Points, y: OtherPoints) -> Vector:
         check_clouds("vector", self._weight(), x=x, y=y)
-        return self.encode(y) - self.encode(x)
+        return self.between(self.read(x), self.read(y))
+
+    def read(self, x: Points) -> Float[Tensor, "*b c"]:
+        """What the vectors from and to a shape need of it: its code E(x)."""
+        return self.encode(x)
+
+    def between(self, from_x: Float[Tensor, "*#b c"], from_y: Float[Tensor, "*#b c"]) -> Vector:
+        """xy of what was read of x and of y."""
+        return from_y - from_x
+
+
+class ConcatSpace(DeformSyncNet):
+    """The ablation of Section 4.2: xy is what a network makes of the features of x and y together.
+
+    No law of vectors holds by construction any more: xx need not be 0, nor xy be -yx.
+    """
+
+    by_construction = frozenset({"zero_acts_trivially"})
+
+    def read(self, x: Points) -> Float[Tensor, "*b c"]:
+        """The feature g(x)."""
+        return self.encode.features(x)
+
+    def between(self, from_x: Float[Tensor, "*#b c"], from_y: Float[Tensor, "*#b c"]) -> Vector:
+        """xy of [g(x); g(y)]."""
+        return self.encode(from_x, from_y)

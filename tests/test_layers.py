@@ -15,8 +15,9 @@ ORDER = {
         "gallery catalogue describe __init__ __main__"
     ).split(),
     "dsn_lite": (
-        "types dictionary chamfer handles networks shapes contract data files space metrics losses axioms config runs "
-        "checkpoints training zoo __init__ byhand meshes plots widgets diagnosis judges checks lessons build __main__"
+        "types dictionary chamfer handles pooling networks shapes batch_handles contract data files space metrics "
+        "coverage losses modes axioms config runs checkpoints world batches training sweep zoo __init__ byhand meshes "
+        "plots widgets diagnosis judges checks lessons build experiments __main__"
     ).split(),
 }
 FOREIGN = {"data_gen": {"torch", "dsn_lite"}, "dsn_lite": {"data_gen"}}  # the two meet only in the sample file

@@ -70,7 +70,7 @@ def test_the_split_product_is_that_of_the_repeated_feature():
 
     def slow():
         here = F.local(x)
-        g = F.features(here).amax(-2, keepdim=True).expand(-1, 6, -1)
+        g = F.features.points(here).amax(-2, keepdim=True).expand(-1, 6, -1)
         W = torch.cat([F.from_global.weight, F.from_local.weight], dim=1)
         A = F.head(torch.cat([g, here], dim=-1) @ W.mT + F.from_local.bias).unflatten(-1, (3, K))
         return A / A.square().sum(-2).mean(-2).sqrt()[..., None, None, :]

@@ -45,7 +45,7 @@ def test_the_best_weights_are_kept():
     seen = [(record.validation_cd, weights(training.space).clone()) for record in training]
     cd, best = min(seen, key=lambda pair: pair[0])
     training.space.load_state_dict(training.best)
-    assert training.best_cd == cd == training.validation_cd()
+    assert training.best_cd == cd == training.validate()[0]
     assert torch.equal(weights(training.space), best)
     assert cd < max(seen, key=lambda pair: pair[0])[0]
 
@@ -61,7 +61,7 @@ def test_the_loss_is_fitting_plus_the_weight_times_symmetry():
 def test_denser_clouds_are_sub_sampled_anew_in_each_step_and_their_targets_are_not(monkeypatch):
     training, met = Training(shapes_of("box/one", 20, 64), replace(TINY, points=32)), []
     measure = losses.fitting
-    monkeypatch.setattr(losses, "fitting", lambda x, y, trees: met.append((x.detach(), y)) or measure(x, y, trees))
+    monkeypatch.setattr(losses, "fitting", lambda x, y, *kept: met.append((x.detach(), y)) or measure(x, y, *kept))
     training.loss(), training.loss()
     training.step = 1
     training.loss()
@@ -79,9 +79,9 @@ def test_nobody_is_paired_with_itself():
 
 def test_shapes_that_are_validated_or_tested_are_not_trained_on():
     training = Training(shapes, TINY)
-    groups = [set(part.names) for part in (training.train, training.validation, training.test)]
+    groups = [set(part.names) for part in (shapes[training.rows], training.validation, training.test)]
     assert sum(map(len, groups)) == len(set.union(*groups)) == 20
-    assert len(training.points) == len(groups[0])
+    assert len(training.rows) == len(groups[0])
 
 
 def test_the_learning_rate_rises_and_falls_to_nothing():

@@ -7,9 +7,11 @@ network.
 """
 
 from .charts import curve, spectrum
+from .dictionaries import mode_heat, mode_on_shapes, paired_bars
 from .images import picture
 from .laws import axiom_bars
 from .look import alt, appear_when_exported
+from .plane import plane
 from .scenes import compare, modes, offsets, shapes
 from .solids import meshes
 from .tables import bars, law_table, lines
@@ -24,9 +26,13 @@ __all__ = [
     "law_table",
     "lines",
     "meshes",
+    "mode_heat",
+    "mode_on_shapes",
     "modes",
     "offsets",
+    "paired_bars",
     "picture",
+    "plane",
     "shapes",
     "spectrum",
     "together",

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from itertools import cycle
-from typing import Any
+from typing import Any, Literal
 
 import plotly.graph_objects as go
 
@@ -55,13 +55,13 @@ def bars(values: dict[Any, float], *, x: str, y: str) -> go.Figure:
     )
 
 
-def lines(values: dict[str, dict[Any, float]], *, x: str, y: str, log: bool = False) -> go.Figure:
-    """One line a name: numbers by number, x and y what the axes are called; both are logarithmic with `log`."""
+def lines(values: dict[str, dict[Any, float]], *, x: str, y: str, log: bool | Literal["x"] = False) -> go.Figure:
+    """One line a name: numbers by number, x and y what the axes are called; with `log` both are logarithmic, or one."""
     looks = zip(values.items(), cycle(PALETTE), cycle(STROKES))
     figure = go.Figure([_stroke(name, each, colour, *stroke) for (name, each), colour, stroke in looks])
-    kind = {"type": "log", "exponentformat": "power", "dtick": 1} if log else {"type": "linear"}
-    figure.update_xaxes(title=x, gridcolor=LINES, zeroline=False, linecolor=GREY, **kind)
-    figure.update_yaxes(title=y, gridcolor=LINES, zeroline=False, **kind)
+    even, powers = {"type": "linear"}, {"type": "log", "exponentformat": "power", "dtick": 1}
+    figure.update_xaxes(title=x, gridcolor=LINES, zeroline=False, linecolor=GREY, **(powers if log else even))
+    figure.update_yaxes(title=y, gridcolor=LINES, zeroline=False, **(powers if log is True else even))
     figure.update_layout(legend=LEGEND, margin={"l": 90, "r": 20, "t": 60, "b": 70})
     told = [f"{name} goes from {each[min(each)]:.2g} to {each[max(each)]:.2g}" for name, each in values.items()]
     return dress(figure, f"{y} against {x}: {', '.join(told)}.", width=720, height=420)

@@ -1,4 +1,4 @@
-"""Widgets for Jupyter: sliders over families and dictionaries, a deformation from x to y, a training to watch.
+"""Widgets for Jupyter: sliders over families, dictionaries and thresholds, a deformation, a training to watch.
 
 They draw with plotly through one class, `Canvas`, and work without a front end, so that lessons can be tested.
 """
@@ -9,5 +9,14 @@ from .heartbeat import heartbeat
 from .live import LiveTraining
 from .path import DeformationPath
 from .sliders import DictionarySliders
+from .threshold import ThresholdSlider
 
-__all__ = ["Canvas", "DeformationPath", "DictionarySliders", "FamilySliders", "LiveTraining", "heartbeat"]
+__all__ = [
+    "Canvas",
+    "DeformationPath",
+    "DictionarySliders",
+    "FamilySliders",
+    "LiveTraining",
+    "ThresholdSlider",
+    "heartbeat",
+]

@@ -4,37 +4,17 @@ import shutil
 import subprocess
 import sys
 import tempfile
-from dataclasses import dataclass
 from pathlib import Path
 
-from ..checkpoints import load_history
-from ..files import load_shapes
-from ..metrics import Evaluation, evaluate
 from ..runs import load_run
 from ..space import DeformSyncNet
+from .cards import card
+from .recipes import RECIPES, Recipe
+
+__all__ = ["FILES", "HERE", "RECIPES", "Recipe", "load", "names", "publish", "rebuild"]
 
 HERE = Path(__file__).parent
 FILES = ("config.json", "model.safetensors", "probe.safetensors")
-
-
-@dataclass(frozen=True)
-class Recipe:
-    """What data_gen generates, what dsn_lite train is told, and what the result should not be trusted with."""
-
-    generate: str
-    train: str
-    bad_at: str
-
-
-RECIPES = {
-    "table_four_legs": Recipe(
-        "table/four_legs --count 2000 --points 2048 --seed 0",
-        "--k 32 --steps 12000 --seed 0",
-        "Tables unlike its own: round tops, crossed or tapered legs, drawers, shelves. It has seen parts only as boxes "
-        "parallel to the axes, so a leg that leans is moved as if it stood upright. Tables from other sources come "
-        "only part of the way to their target: look at the result, and train on your own kind of thing.",
-    ),
-}
 
 
 def load(name: str, device: str = "cpu") -> DeformSyncNet:
@@ -60,49 +40,17 @@ def rebuild(name: str) -> Path:
         _python("-m", "data_gen", "generate", *recipe.generate.split(), "--out", file)
         _python("-m", "data_gen", "resample", file, "--seed", 1, "--out", again)
         _python("-m", "dsn_lite", "train", file, "--out", run, *recipe.train.split())
-        card = _card(name, recipe, run, file, again)
-        (HERE / name).mkdir(exist_ok=True)
-        for part in FILES:
-            shutil.copy(run / part, HERE / name / part)
-        (HERE / name / "card.md").write_text(card, encoding="utf-8")
+        return publish(name, run, file, again)
+
+
+def publish(name: str, run: Path, file: Path, again: Path) -> Path:
+    """Measures a run that was trained by its recipe, writes its card and puts both in their place."""
+    text = card(name, RECIPES[name], run, file, again)
+    (HERE / name).mkdir(exist_ok=True)
+    for part in FILES:
+        shutil.copy(run / part, HERE / name / part)
+    (HERE / name / "card.md").write_text(text, encoding="utf-8")
     return HERE / name
-
-
-def _card(name: str, recipe: Recipe, run: Path, file: Path, again: Path) -> str:
-    """What a reader should know of a run before trusting it, with the figures as measured now."""
-    held_out, second = (load_shapes(path).split()[2] for path in (file, again))
-    result, last = evaluate(load_run(run), held_out, again=second), load_history(run)[-1]
-    return f"""# {name}
-
-Made by `python -m dsn_lite zoo --rebuild {name}`, which runs
-
-    python -m data_gen generate {recipe.generate} --out shapes.npz
-    python -m data_gen resample shapes.npz --seed 1 --out again.npz
-    python -m dsn_lite train shapes.npz --out run {recipe.train}
-
-{last["step"]} steps, {last["seconds"]:.0f} seconds on the machine that made it. On the {len(held_out)} shapes held out:
-
-| what | this space | doing nothing |
-|---|---|---|
-{_figures(result)}
-
-A Chamfer distance is in squared units of the file, in brackets in sampling floors ({result.floor:.2e}); the true
-deformation scores {result.exact_cd / result.floor:.2f}. The transfer error is squared, as a share of leaving the
-shape alone.
-
-**Bad at.** {recipe.bad_at}
-"""
-
-
-def _figures(result: Evaluation) -> str:
-    fitted, idle, closed = (
-        f"{cd:.2e} ({cd / result.floor:.2f})"
-        for cd in (result.fitting_cd, result.do_nothing_cd, result.parallelogram_cd)
-    )
-    rows = [("fitting CD", fitted, idle), ("parallelogram CD", closed, "not meaningful")]
-    rows += [("share moved by a transfer", f"{result.share_moved:.2f}", "0")]
-    rows += [("transfer error", f"{result.transfer_error:.2%}", "100%")]
-    return "\n".join(f"| {what} | {here} | {nothing} |" for what, here, nothing in rows)
 
 
 def _python(*arguments: object) -> None:

@@ -1,0 +1,22 @@
+"""How far each column of a dictionary moves shapes, and which columns move nothing."""
+
+from jaxtyping import Float, Int
+from torch import Tensor
+
+from ..dictionary import column_rms
+from ..types import Dictionary, Vector
+
+
+def moved_by_columns(A: Dictionary, v: Vector) -> Float[Tensor, " k"]:
+    """Root mean square of A_j v_j over points and batch, in the unit of the points: what column j is used for.
+
+    v are the vectors that the columns are used with, for instance of pairs x -> y; they may broadcast against A.
+    """
+    # (..., k) lengths meet the vectors, never (..., n, 3, k) offsets
+    return (column_rms(A) * v).square().reshape(-1, A.shape[-1]).mean(0).sqrt()
+
+
+def dead_columns(A: Dictionary, v: Vector, below: float = 0.01) -> Int[Tensor, " d"]:
+    """Columns, by index, that move shapes by less than `below` times what the most used one does."""
+    moved = moved_by_columns(A, v)
+    return (moved < below * moved.max()).nonzero().flatten()
