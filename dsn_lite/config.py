@@ -4,6 +4,7 @@ from dataclasses import dataclass, fields
 from typing import Any
 
 import torch
+from torch import Tensor
 
 from .data import Frame, Shapes
 from .losses import AXES, SPARSITY
@@ -106,10 +107,10 @@ def check_device(device: str) -> None:
         raise ValueError(f'device: must be one that torch can use here, got {device!r}; use "cpu"') from None
 
 
-def some(shapes: Shapes, rows: Any = None) -> Shapes:
-    """At most LOOKED_AT of these rows of a collection, evenly spread."""
-    rows = torch.arange(len(shapes)) if rows is None else torch.arange(len(shapes))[rows]
-    return shapes[rows[:: -(-len(rows) // LOOKED_AT)]]
+def some(shapes: Shapes, rows: slice | Tensor = slice(None)) -> Shapes:
+    """The points of at most LOOKED_AT of these rows of a collection, evenly spread."""
+    rows = torch.arange(len(shapes))[rows]
+    return Shapes(points=shapes.points[rows[:: -(-len(rows) // LOOKED_AT)]])
 
 
 def _check_parts(shapes: Shapes) -> None:

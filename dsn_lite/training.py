@@ -227,7 +227,7 @@ def train(
     shapes. Ctrl-C, or the stop button of a notebook, ends the training and keeps the best weights so far.
     """
     config, run = config or Config(), None if out is None else Path(out)
-    shapes = as_shapes(shapes)
+    shapes = shapes if isinstance(shapes, Shapes) else as_shapes(shapes)  # which would read all of one in shards
     config.check(shapes)
     if run and not resume and (run / "config.json").exists():
         raise ValueError(f"train: {run} must not hold a run already, it does; resume it, or choose another folder")

@@ -83,6 +83,12 @@ def test_a_page_can_be_made_of_any_runs(name, stored, tmp_path):
         assert all(chart.svg for chart in experiment.charts(some))
 
 
+def test_figures_are_found_by_the_name_of_their_experiment(stored):
+    found = report.stored("silence", stored)
+    assert found.entries == Results(EXPERIMENTS["silence"], LITE, stored / report.RESULTS).entries
+    assert len(found.entries) == len(found.runs)
+
+
 def test_a_written_page_shows_the_charts_that_are_written_beside_it(stored):
     page = report.write(stored).read_text(encoding="utf-8")
     assert page == report.text(stored)

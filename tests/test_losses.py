@@ -2,8 +2,10 @@ import pytest
 import torch
 from worlds import near, randn, unchecked
 
+from dsn_lite.batch_handles import BatchHandles
 from dsn_lite.chamfer import chamfer, plant
-from dsn_lite.losses import fitting, mirror, sparsity_l1, sparsity_l21, symmetry
+from dsn_lite.dictionary import column_scales
+from dsn_lite.losses import AXES, fitting, handle_dictionary, mirror, sparsity_l1, sparsity_l21, symmetry
 
 
 def test_fitting_is_the_mean_chamfer_over_the_batch():
@@ -58,3 +60,28 @@ def test_l21_is_gradchecked():
 def test_mirror_refuses_another_axis():
     with pytest.raises(ValueError, match='mirror: axis must be "x", "y" or "z", got \'w\''):
         unchecked(mirror)(randn(0, 4, 3), "w")
+
+
+def test_both_directions_of_the_mirrored_distance_are_one_number():
+    d = randn(3, 4, 20, 3).requires_grad_()
+    for axis in AXES:
+        slow = chamfer(d, mirror(d, axis)).mean()
+        near(symmetry(d, axis), slow)
+        near(symmetry(d, axis, plant(d)), slow)
+        near(torch.autograd.grad(symmetry(d, axis), d)[0], torch.autograd.grad(slow, d)[0])
+
+
+@pytest.mark.parametrize("n", [100, 400])
+def test_a_weight_of_sparsity_means_the_same_for_either_kind_of_column_and_at_any_n(n):
+    """B+F with columns of length 1 over 3n at n = 2048: here the same fields on more and more points of one box."""
+    rest = randn(0, 1, n, 3).clamp(-0.5, 0.5)
+    handles = BatchHandles(
+        torch.zeros(1, n, dtype=torch.int64),
+        rest,
+        torch.tensor([[[0.0] * 3 + torch.eye(3).flatten().tolist() + [1.0] * 3]]).double(),
+    )
+    fields = torch.stack([torch.ones(1, n, 3).double() / 3**0.5, randn(1, 1, n, 3)], dim=-1)
+    scaled = {columns: fields / column_scales(fields, columns) for columns in ("rms", "unit")}
+    found = {columns: handle_dictionary(A, handles, columns) for columns, A in scaled.items()}
+    near(found["rms"], found["unit"])
+    near(found["rms"][0, :3, 0], torch.full((3,), (1 / 3 / 2048) ** 0.5).double())

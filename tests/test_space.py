@@ -17,10 +17,12 @@ from worlds import (
     worlds,
 )
 
+from dsn_lite import axioms
 from dsn_lite.byhand import translations
 from dsn_lite.config import Config, network
 from dsn_lite.dictionary import column_rms, coordinates, matrix, offsets
-from dsn_lite.space import DeformSyncNet, DoNothing, LinearSpace
+from dsn_lite.networks import DictionaryPredictor, PairEncoder, reset
+from dsn_lite.space import ConcatSpace, DeformSyncNet, DoNothing, LinearSpace
 
 
 def test_the_smallest_space_by_hand():
@@ -180,3 +182,30 @@ def test_a_linear_space_refuses_points_that_do_not_correspond():
     space = LinearSpace.fit(torch.rand(5, 9, 3), 2)
     with pytest.raises(ValueError, match=r"act: x must have the 9 corresponding points of this LinearSpace, got 8"):
         space.act(CLOUD[:8], torch.zeros(2))
+
+
+# the Concat ablation
+
+
+def concat_space(seed=0):
+    encoder, predictor = PairEncoder(K, (8, 16), (8,)), DictionaryPredictor(K, (8,), (16,), (16,))
+    return reset(ConcatSpace(encoder, predictor), seed).double()
+
+
+def test_concat_keeps_the_identity_of_nothing_and_breaks_the_laws_of_vectors():
+    space, (x, y, z) = concat_space(), randn(0, 3, 2, 9, 3)
+    assert axioms.zero_acts_trivially(space, x) == 0
+    for residual in (
+        axioms.self_vector_is_zero(space, x),
+        axioms.reversal_negates(space, x, y),
+        axioms.triangle_closes(space, x, y, z),
+    ):
+        assert residual > 1e-3
+    assert space.by_construction == {"zero_acts_trivially"}
+
+
+def test_concat_reads_each_shape_once_and_joins_what_was_read():
+    space, (x, y) = concat_space(), randn(0, 2, 2, 9, 3)
+    g = [space.encode.features.points(cloud).amax(-2) for cloud in (x, y)]
+    near(space.vector(x, y), space.encode.head(torch.cat(g, dim=-1)))
+    near(space.vector(x[0], y), torch.stack([space.vector(x[0], y[0]), space.vector(x[0], y[1])]))

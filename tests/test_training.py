@@ -1,4 +1,5 @@
 import json
+from copy import copy
 from dataclasses import fields, replace
 from itertools import pairwise
 from pathlib import Path
@@ -11,8 +12,8 @@ from dsn_lite import losses
 from dsn_lite.config import Config
 from dsn_lite.data import triplets
 from dsn_lite.metrics import evaluate, transfer_error
-from dsn_lite.runs import load_run
-from dsn_lite.training import Record, Training, train
+from dsn_lite.runs import finished, load_run
+from dsn_lite.training import Record, Training, drive, train
 
 shapes = shapes_of("box/one", 20, 32)
 
@@ -142,3 +143,91 @@ def test_a_crash_while_writing_leaves_the_checkpoint_before_it(tmp_path, monkeyp
         train(shapes, TINY, out=tmp_path, resume=True)
     assert (tmp_path / "checkpoint.safetensors").read_bytes() == before
     assert not list(tmp_path.rglob("*.part"))
+
+
+# the whole of Section 3.3
+
+
+def test_the_loss_is_that_of_its_terms_written_out():
+    """L = 100 (L_F + w_R L_R) + w_S L_S on one batch, from the space's own doors, one pair at a time."""
+    chairs = shapes_of("chair", 20, 40)
+    for norm in ("l1", "l21"):
+        told = replace(TINY, symmetry=0.5, sparsity=2.0, norm=norm, batch=4)
+        training = Training(chairs, told)
+        batch, space, total = training.batches[0], training.space, 0.0
+        for i in range(4):
+            x, y = batch.x[batch.source[i]], batch.y[i]
+            d = space.deform(x, y)
+            found = losses.handle_dictionary(space.dictionary(x)[None], one(batch.handles, i))
+            chamfers = losses.fitting(d[None], y[None]) + 0.5 * losses.chamfer(d, losses.mirror(d, "x"))
+            total += 100 * chamfers + 2.0 * losses.SPARSITY[norm](found)
+        assert training.loss().item() == pytest.approx(total.item() / 4, rel=1e-4)
+
+
+def one(handles, i):
+    """The handles of one shape of a batch."""
+    alone = copy(handles)
+    for name, value in vars(handles).items():
+        setattr(alone, name, value[i : i + 1])
+    return alone
+
+
+def test_projection_while_training_is_what_the_loss_sees():
+    chairs = shapes_of("chair", 20, 40)
+    plain, held = (Training(chairs, replace(TINY, project=project)) for project in (False, True))
+    for each in (plain, held):  # far enough that parts bend
+        torch.nn.init.normal_(each.space.encode.head[-1].weight, std=50, generator=torch.Generator().manual_seed(0))
+    batch = held.batches[0]
+    x = batch.x[batch.source]
+    d = batch.handles.project(held.space.deform(x, batch.y))
+    assert held.loss().item() == pytest.approx(100 * losses.fitting(d, batch.y).item(), rel=1e-4)
+    assert held.loss().item() != pytest.approx(plain.loss().item(), rel=1e-3)
+
+
+def test_columns_are_normalised_before_projection_so_the_scale_of_the_network_does_not_matter():
+    chairs = shapes_of("chair", 20, 40)
+    training = Training(chairs, replace(TINY, sparsity=1.0))
+    before = training.loss().item()
+    with torch.no_grad():
+        for weights_ in training.space.dictionary.head[-1][-1].parameters():
+            weights_ *= 3
+    assert training.loss().item() == pytest.approx(before, rel=1e-4)
+
+
+@pytest.mark.parametrize("told", [{"k": 1}, {"k": 512}, {"vector": "concat"}, {"columns": "unit", "sparsity": 1.0}])
+def test_every_kind_of_network_trains_is_kept_and_comes_back(told, tmp_path):
+    clouds = shapes_of("chair", 20, 200)
+    space = train(clouds, replace(TINY, points=200, steps=3, **told), out=tmp_path / "run")
+    again = load_run(tmp_path / "run")
+    x, y = clouds.points[:2]
+    assert torch.equal(again.deform(x, y), space.deform(x, y))
+    assert space.dictionary(x).shape[-1] == told.get("k", TINY.k)
+    assert finished(tmp_path / "run")
+
+
+def test_sparsity_needs_parts():
+    with pytest.raises(ValueError, match="train: sparsity and project need shapes with labels, rest and boxes"):
+        train(torch.rand(20, 30, 3).numpy(), replace(TINY, sparsity=1.0))
+
+
+def test_gradients_are_clipped(monkeypatch):
+    lengths = []
+    clip = torch.nn.utils.clip_grad_norm_
+    monkeypatch.setattr(torch.nn.utils, "clip_grad_norm_", lambda p, c: lengths.append(c) or clip(p, c))
+    training = Training(shapes, replace(TINY, clip=1e-3))
+    training.take_step()
+    length = torch.stack([p.grad.norm() for p in training.space.parameters()]).norm().item()
+    assert lengths == [1e-3]
+    assert length == pytest.approx(1e-3, rel=1e-3)
+
+
+def test_columns_that_move_nothing_are_counted_and_reported(capsys):
+    """A code that never changes along the last two of three coordinates."""
+    training = Training(shapes, replace(TINY, learning_rate=1e-9))
+    assert training.validate()[1] == 0
+    with torch.no_grad():
+        training.space.encode.head[-1].weight[1:] = 0
+    assert training.validate()[1] == 2
+    drive(training, None)
+    assert training.history[-1].dead == 2
+    assert "2 of the 3 columns of the dictionary move nothing; a smaller k will do." in capsys.readouterr().out

@@ -26,6 +26,11 @@ of shapes held out. Chamfer distances (CD) are squared, both directions summed, 
 compare orders and trends with it, not values."""
 
 
+def stored(name: str, folder: Path = HERE) -> Results:
+    """The figures of one of EXPERIMENTS, at lite scale."""
+    return Results(EXPERIMENTS[name], SCALES[0], folder / RESULTS)
+
+
 def write(folder: Path = HERE) -> Path:
     """Writes RESULTS.md and its charts into a folder that holds results; returns the page."""
     for name, chart in charts(folder).items():

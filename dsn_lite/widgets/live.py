@@ -21,7 +21,7 @@ from ..training import Record, Training, train
 from .canvas import Canvas
 from .guard import Notice, hear_while_busy
 
-SHARE = 0.025  # of the training's time may go into drawing
+SHARE = 0.015  # of the training's time may go into drawing
 HINT = "The button ends the training and keeps the best weights so far, as the notebook's own stop button does."
 
 
