@@ -92,7 +92,7 @@ class Training:
             self.seconds = self._agreed(time.perf_counter() - start)
             if self.looks > looks:
                 looks, record = self.looks, self._look(float(np.mean(losses_seen)))
-                losses_seen, self.seconds = [], time.perf_counter() - start
+                losses_seen, self.seconds = [], self._agreed(time.perf_counter() - start)
                 yield record
 
     @property

@@ -11,9 +11,9 @@ import pytest
 import trimesh
 
 import data_gen
-from dsn_lite import __main__ as command
 from dsn_lite import axioms, load_run, load_shapes, meshes, metrics, zoo
 from dsn_lite.__main__ import main
+from dsn_lite.commands import COMMANDS, runs
 
 ROOT = Path(__file__).resolve().parent.parent
 LITTLE = "--k 4 --batch 4 --features 8 16 --head 8 --seed 2".split()
@@ -161,7 +161,7 @@ def test_ctrl_c_ends_without_a_traceback(folder, monkeypatch, capsys):
     def interrupted(path):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(command, "load_run", interrupted)
+    monkeypatch.setattr(runs, "load_run", interrupted)
     assert run(folder, "axioms", "run", "tables.npz") == 130
     assert capsys.readouterr().err == "stopped\n"
 
@@ -170,7 +170,7 @@ def test_help_names_every_command():
     said = subprocess.run(
         [sys.executable, "-m", "dsn_lite", "--help"], cwd=ROOT, capture_output=True, text=True, check=True
     )
-    for name, function in command.COMMANDS.items():
+    for name, function in COMMANDS.items():
         assert name in said.stdout
         assert function.__doc__.split()[0] in said.stdout
 

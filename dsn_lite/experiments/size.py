@@ -9,8 +9,8 @@ from .results import Results
 from .scales import COUNT, config, pairs
 from .tables import table
 
-STEPS = 600
-K, N = (2, 8, 32, 128), (128, 512, 2048)
+STEPS = 500
+K, N = (2, 8, 32, 128), (128, 512, 1024)
 FULL_K = (2, 4, 8, 16, 32, 64, 128, 256, 512)
 SIZE = {"k": 64, "points": 512}  # what the other one is kept at
 DENSE = 2048  # points of the targets, and of all shapes that are measured
