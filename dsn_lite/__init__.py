@@ -7,11 +7,12 @@ from . import axioms, metrics, modes
 from .chamfer import chamfer
 from .config import Config
 from .data import Shapes
+from .driving import train
 from .files import as_shapes, load_shapes, save_shapes
 from .handles import BoxHandles
 from .runs import load_run, save_run
 from .space import ActionSpace, AutoencoderSpace, DeformSyncNet, DoNothing, LinearSpace
-from .training import Training, train
+from .training import Training
 from .zoo import load
 
 __all__ = [

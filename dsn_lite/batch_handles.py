@@ -29,6 +29,7 @@ class BatchHandles:
         centred = rest - own @ self.mean
         variance = own.mT @ centred.square()
         spread = variance > 1e-10 * self.count.clamp_min(1).unsqueeze(-1)
+        self.variance = torch.where(spread, variance, 0)
         self.weight = torch.where(spread, 1 / torch.where(spread, variance, 1), 0)
         self.mask = torch.stack([(self.count > 0).unsqueeze(-1).expand(spread.shape), spread], dim=2)
         # for each part its points, then its points' rest coordinates
@@ -57,6 +58,14 @@ class BatchHandles:
         out = torch.einsum("bpca,bpaj->bpacj", self.rotation, slope)
         placed = self.sums @ torch.cat([mean.unsqueeze(2), out], dim=2).flatten(3).flatten(1, 2)
         return torch.where(self.free, u.flatten(2), placed).view(u.shape)
+
+    def seen(self, u: Float[Tensor, "N n 3 *j"]) -> Float[Tensor, "N *j"]:
+        """Root of the mean over points of |BB+u|^2: how much of u the handles see, points of no part left out."""
+        mean, slope = self._fit(u)
+        square = (self.count[..., None, None] * mean.square() + self.variance.unsqueeze(-1) * slope.square()).sum(
+            (1, 2)
+        )
+        return (square / u.shape[1]).clamp_min(1e-24).sqrt().view(len(u), *u.shape[3:])
 
     def _fit(self, u: Tensor) -> tuple[Tensor, Tensor]:
         """Mean of u over each part's points (N, P, 3, j), and slope along each axis of its box against rest."""

@@ -16,34 +16,41 @@ MOMENTS = ("step", "exp_avg", "exp_avg_sq")
 
 
 def save_checkpoint(
-    run: Path, space: nn.Module, best: dict[str, Tensor], optimizer: torch.optim.Adam, clock: dict[str, int | float]
+    run: Path,
+    space: nn.Module,
+    best: dict[str, Tensor],
+    optimizer: torch.optim.Adam,
+    clock: dict[str, int | float],
+    told: str,
 ) -> None:
-    """Weights, the best weights, Adam's moments and the clock in one file, so that they always belong together."""
+    """Weights, the best weights, Adam's moments, the clock and what was told in one file: they belong together."""
     run.mkdir(parents=True, exist_ok=True)
     tensors = {f"now.{name}": value for name, value in space.state_dict().items()}
     tensors |= {f"best.{name}": value for name, value in best.items()}
     for i, state in enumerate(optimizer.state.values()):
         tensors |= {f"adam.{i}.{name}": value for name, value in state.items()}
     tensors |= {f"at.{name}": torch.tensor(value, dtype=torch.float64) for name, value in clock.items()}
+    tensors["told.config"] = torch.tensor(list(told.encode()), dtype=torch.uint8)
     save_tensors(tensors, run / FILE)
 
 
 def load_checkpoint(
-    run: Path, space: nn.Module, optimizer: torch.optim.Adam
+    run: Path, space: nn.Module, optimizer: torch.optim.Adam, told: str
 ) -> tuple[dict[str, Tensor], dict[str, float]]:
     """Puts weights and moments back and returns the best weights and the clock.
 
-    Raises FileNotFoundError or ValueError in one sentence: no checkpoint, a damaged one, one of another configuration.
+    Raises FileNotFoundError or ValueError in one sentence: no checkpoint, a damaged one, one that was told otherwise.
     """
-    groups: dict[str, dict[str, Tensor]] = {"now": {}, "best": {}, "adam": {}, "at": {}}
+    groups: dict[str, dict[str, Tensor]] = {"now": {}, "best": {}, "adam": {}, "at": {}, "told": {}}
     for name, value in load_tensors(run / FILE, run).items():
         group, rest = name.split(".", 1)
         groups[group][rest] = value
-    expected = {name: value.shape for name, value in space.state_dict().items()}
-    if {name: value.shape for name, value in groups["now"].items()} != expected:
+    before = json.loads(bytes(groups["told"]["config"].tolist()))
+    if others := [name for name, value in json.loads(told).items() if before.get(name) != value]:
+        name = others[0]
         raise ValueError(
-            f"train: the checkpoint in {run} must fit this Config, it has another k or other widths; "
-            "resume with the Config it began with"
+            f"train: the checkpoint in {run} must fit this Config, its {name} is {before.get(name)} instead of "
+            f"{json.loads(told)[name]}; resume with the Config it began with"
         )
     space.load_state_dict(groups["now"])
     for i, parameter in enumerate(space.parameters()):

@@ -14,6 +14,7 @@ from .space import ConcatSpace, DeformSyncNet
 CHOICES = {
     "mirror": (tuple(AXES), "data_gen mirrors at x = 0"),
     "norm": (tuple(SPARSITY), 'the paper trains with "l21"'),
+    "unit": (("whole", "seen"), 'the paper\'s is "whole"'),
     "vector": (("difference", "concat"), 'keep "difference" unless you compare'),
     "columns": (("rms", "unit"), 'keep "rms" unless you compare'),
 }
@@ -35,6 +36,7 @@ class Config:
     mirror: str = "x"  # axis across which shapes are symmetric
     sparsity: float = 0.0  # weight of L_S, for shapes with parts; paper: 10
     norm: str = "l21"  # of L_S: "l21" as in the paper's training, or "l1"
+    unit: str = "whole"  # of L_S: columns of unit length as in the paper, or "seen", of unit length to the handles
     project: bool = False  # d_proj while training: the loss sees what the shapes' handles can follow
     vector: str = "difference"  # of codes; or "concat", the ablation that reads both shapes together
     features: tuple[int, ...] = (32, 64, 128)  # widths of the point features of E and F; paper: 64-64-64-128-1024

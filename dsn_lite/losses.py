@@ -52,6 +52,15 @@ def handle_dictionary(A: Dictionary, handles: BatchHandles, columns: str = "rms"
     return handles.coordinates(A) * (unit / REFERENCE) ** 0.5
 
 
+def seen_dictionary(A: Dictionary, handles: BatchHandles) -> Float[Tensor, "N m k"]:
+    """B+F(x), with columns of which the handles see as much as of a column of length 1 over 3n at n = 2048.
+
+    What lies outside the handles' space B+ does not see: a column that is normalised as a whole can hide there, and
+    the sparsity loss pushes it to. Here hiding gains nothing, and the length of A's columns does not matter.
+    """
+    return handles.coordinates(A) / (handles.seen(A).unsqueeze(1) * REFERENCE**0.5)
+
+
 def sparsity_l1(handle_dictionary: Float[Tensor, "*b m k"]) -> Float[Tensor, ""]:
     """L_S1 = |B+F(x)|_1 / k, mean over the batch (Eq. 11). Padded handles must be rows of zeros."""
     return handle_dictionary.abs().sum((-2, -1)).mean() / handle_dictionary.shape[-1]

@@ -3,6 +3,7 @@
 All Chamfer values are in squared units of the file (see chamfer.py). `evaluate` gathers them for hold-out shapes.
 """
 
+from collections.abc import Iterator
 from dataclasses import asdict, dataclass
 from typing import Any
 
@@ -16,6 +17,8 @@ from .data import Shapes, triplets, true_deformation, true_transfer
 from .files import as_shapes
 from .space import ActionSpace, DoNothing
 from .types import Points
+
+AT_ONCE = 32  # pairs that go through the networks together: 1000 of 2048 points and k = 64 would take 5 GB
 
 
 def floor(shapes: Shapes, again: Shapes) -> float:
@@ -86,23 +89,47 @@ def evaluate(
     parts to project to.
     """
     shapes = as_shapes(shapes).like(space)
-    known = shapes.truth_is_known
-    x, y, z = triplets(shapes, pairs, seed)
-    deformed = held(x, space.deform(x.points, y.points), project)
-    moved, other = (held(b, space.transfer(x.points, a.points, b.points), project) for a, b in ((y, z), (z, y)))
+    triples, known = triplets(shapes, pairs, seed), shapes.truth_is_known
+    found = [_measured(space, *some, project, known) for some in _pieces(*triples)]
+    mean = {name: torch.cat([one[name] for one in found]).mean().item() for name in found[0]}
+    fitted, moved, off = (mean.pop(name) ** 0.5 for name in ("fitted", "moved", "identity"))
     return Evaluation(
         pairs=pairs,
-        fitting_cd=chamfer(deformed, y.points).mean().item(),
-        do_nothing_cd=chamfer(x.points, y.points).mean().item(),
         floor=None if again is None else floor(shapes, as_shapes(again).like(space)),
-        exact_cd=chamfer(true_deformation(x, y), y.points).mean().item() if known else None,
-        identity=rms(space.deform(x.points, x.points) - x.points),
-        parallelogram_cd=chamfer(moved, other).mean().item(),
-        parallelogram_idle_cd=chamfer(z.points, y.points).mean().item(),
-        moved=rms(moved - z.points),
-        share_moved=rms(moved - z.points) / max(rms(deformed - x.points), 1e-12),
+        identity=off,
+        moved=moved,
+        share_moved=moved / max(fitted, 1e-12),
         transfer_error=_transfer_error(space, shapes, pairs, seed, project) if known else None,
+        **{"exact_cd": None} | mean,
     )
+
+
+def _pieces(*collections: Shapes) -> Iterator[tuple[Shapes, ...]]:
+    for start in range(0, len(collections[0]), AT_ONCE):
+        yield tuple(shapes[start : start + AT_ONCE] for shapes in collections)
+
+
+def _measured(
+    space: ActionSpace, x: Shapes, y: Shapes, z: Shapes, project: bool, known: bool
+) -> dict[str, Float[Tensor, " b"]]:
+    """What `Evaluation` holds, of each triplet; lengths are squared."""
+    deformed = held(x, space.deform(x.points, y.points), project)
+    moved, other = (held(b, space.transfer(x.points, a.points, b.points), project) for a, b in ((y, z), (z, y)))
+    exact = {"exact_cd": chamfer(true_deformation(x, y), y.points)} if known else {}
+    return exact | {
+        "fitting_cd": chamfer(deformed, y.points),
+        "do_nothing_cd": chamfer(x.points, y.points),
+        "identity": _each(space.deform(x.points, x.points) - x.points),
+        "parallelogram_cd": chamfer(moved, other),
+        "parallelogram_idle_cd": chamfer(z.points, y.points),
+        "moved": _each(moved - z.points),
+        "fitted": _each(deformed - x.points),
+    }
+
+
+def _each(u: Points) -> Float[Tensor, " b"]:
+    """Mean squared length of the offsets of each cloud."""
+    return u.square().sum(-1).mean(-1)
 
 
 def held(shapes: Shapes, moved: Points, project: bool = True) -> Points:
@@ -120,6 +147,13 @@ def _transfer_error(space: ActionSpace, shapes: Shapes, pairs: int, seed: int, p
 @torch.no_grad()
 def transfer_error(space: ActionSpace, x: Shapes, y: Shapes, z: Shapes, *, project: bool = False) -> float:
     """Mean squared distance of z (+) xy to the true transfer of the same samples, as a share of leaving z alone."""
-    truth = true_transfer(x, y, z)
-    wrong = mean_square(held(z, space.transfer(x.points, y.points, z.points), project) - truth)
-    return (wrong / mean_square(DoNothing().act(z.points, z.points.new_zeros(1)) - truth)).item()
+    pairs = [_wrong(space, *some, project) for some in _pieces(x, y, z)]
+    wrong, idle = (torch.cat(each).mean() for each in zip(*pairs, strict=True))
+    return (wrong / idle).item()
+
+
+def _wrong(space: ActionSpace, x: Shapes, y: Shapes, z: Shapes, project: bool) -> tuple[Tensor, Tensor]:
+    """Mean squared distances (b,) to the true transfers, of z (+) xy and of z left alone."""
+    truth, nothing = true_transfer(x, y, z), DoNothing().act(z.points, z.points.new_zeros(1))
+    moved = held(z, space.transfer(x.points, y.points, z.points), project)
+    return _each(moved - truth), _each(nothing - truth)

@@ -91,8 +91,10 @@ class Shapes:
 
         What this family lacks stays NaN. Raises ValueError, naming the families there are, where there is no such.
         """
+        if not self.family_names:
+            raise ValueError(f"of_family: these shapes must tell their families, got none; leave --family {name} out")
         if name not in self.family_names:
-            known = ", ".join(self.family_names) or "of no known family"
+            known = ", ".join(self.family_names)
             raise ValueError(f"of_family: shapes of {name!r} must be among these, they are {known}; take one of them")
         if self.families is None:
             return self

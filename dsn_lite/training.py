@@ -1,24 +1,22 @@
-"""Training a DeformSyncNet: Config, train(), and the loop behind it.
+"""Training a DeformSyncNet: the loop, its losses, its looks at the validation shapes and its checkpoints.
 
 A step draws a batch of shapes and pairs it within itself: every shape is encoded once and is a source as well as a
 target, so 2 encodings and a dictionary a pair become one of each. A resumed training takes the same steps as an
 uninterrupted one, and several processes the same steps as one.
 """
 
-import sys
+import json
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from copy import deepcopy
 from dataclasses import asdict, dataclass
 from functools import cached_property
 from math import cos, isclose, pi
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import torch
 from torch import Tensor
-from tqdm.auto import tqdm
 
 from . import losses
 from .batch_handles import BatchHandles
@@ -27,16 +25,12 @@ from .chamfer import chamfer, plant
 from .checkpoints import load_checkpoint, load_history, save_checkpoint, save_history
 from .config import Config, network, some
 from .data import Frame, Shapes
-from .dictionary import offsets
-from .files import as_shapes
-from .modes import dead_columns
-from .runs import save_run
-from .space import DeformSyncNet
-from .world import World, joined
+from .dictionary import column_rms, offsets
+from .modes import unused
+from .world import World
 
 VALIDATIONS = 20  # looks at the validation shapes over a whole training
-VALIDATED = 48  # shapes looked at
-BAR = "{l_bar}{bar}| {elapsed}<{remaining}{postfix}"
+VALIDATED, AT_ONCE = 48, 8  # shapes looked at, and how many together
 WARM_UP = 0.02  # share of the budget over which the learning rate rises
 
 
@@ -71,12 +65,16 @@ class Training:
             raise ValueError(
                 f"train: batch must be at most the {len(self.rows)} training shapes, got {config.batch}; lower batch"
             )
+        if config.batch < self.world.size:
+            raise ValueError(
+                f"train: batch must have a pair for each of {self.world.size} processes, got {config.batch}; raise it"
+            )
         self.seen, self.validation = some(shapes, rows), shapes[torch.arange(len(shapes))[validation][:VALIDATED]]
         self.device = self.world.device(config.device)
         self.space = network(config, Frame.of(self.seen)).to(self.device)
         self.optimizer = torch.optim.Adam(self.space.parameters(), lr=config.learning_rate)
         self.batches = Batches(shapes, self.rows, config, self.world)
-        self.step, self.seconds, self.history = 0, 0.0, []
+        self.step, self.seconds, self.history, self.stopping = 0, 0.0, [], False
         self.best, self.best_cd = deepcopy(self.space.state_dict()), float("inf")
         if resume:
             self._resume()
@@ -86,10 +84,12 @@ class Training:
         while self.progress < 1:
             try:
                 losses_seen.append(self.take_step())
+                self.seconds = self._agreed(time.perf_counter() - start)
+                if self.stopping:
+                    raise KeyboardInterrupt
             except KeyboardInterrupt:  # stopped between two looks: what was learned since the last one counts too
-                self._look(float(np.mean(losses_seen or [0.0])))
+                self._look(float(np.mean(losses_seen or [0.0])), due=self.looks > looks)
                 raise
-            self.seconds = self._agreed(time.perf_counter() - start)
             if self.looks > looks:
                 looks, record = self.looks, self._look(float(np.mean(losses_seen)))
                 losses_seen, self.seconds = [], self._agreed(time.perf_counter() - start)
@@ -122,17 +122,30 @@ class Training:
         """One step of Adam on one batch; returns its loss. Raises FloatingPointError where numbers become NaN."""
         for group in self.optimizer.param_groups:
             group["lr"] = self.learning_rate
-        self.optimizer.zero_grad()
-        loss = self.loss()
-        self._stay_finite(loss)
-        loss.backward()
-        loss = loss.detach()
-        learned = [weights for weights in self.space.parameters() if weights.grad is not None]
+        loss = self._gradients()
+        learned = [weights for weights in self.space.parameters() if weights.requires_grad]
         self.world.add([loss, *(weights.grad for weights in learned)])
+        self._stay_finite(loss)
         self._stay_finite(torch.nn.utils.clip_grad_norm_(learned, self.config.clip))
         self.optimizer.step()
         self.step += 1
         return loss.item()
+
+    def _gradients(self) -> Tensor:
+        """The loss of this process's share, its gradients in the weights; NaN where one of several processes fails.
+
+        All of them then learn of it and raise together: one alone would leave the others waiting, and nothing written.
+        """
+        for weights in self.space.parameters():
+            weights.grad = torch.zeros_like(weights) if weights.requires_grad else None
+        try:
+            loss = self.loss()
+            loss.backward()
+            return loss.detach()
+        except FloatingPointError:
+            if self.world.size == 1:
+                raise
+            return torch.tensor(float("nan"), device=self.device)
 
     @torch.enable_grad()
     def loss(self) -> Tensor:
@@ -155,18 +168,24 @@ class Training:
         return loss * (len(x) / config.batch)
 
     def _sparsity(self, fields: Tensor, scales: Tensor, handles: BatchHandles) -> Tensor:
-        found = losses.handle_dictionary(fields, handles, self.config.columns)  # linear in A: scaled while it is small
-        return losses.SPARSITY[self.config.norm](found / scales.flatten(1).unsqueeze(1))
+        if self.config.unit == "seen":
+            found = losses.seen_dictionary(fields, handles)
+        else:  # linear in A: scaled while it is small
+            found = losses.handle_dictionary(fields, handles, self.config.columns) / scales.flatten(1).unsqueeze(1)
+        return losses.SPARSITY[self.config.norm](found)
 
     @torch.no_grad()
     def validate(self) -> tuple[float, int]:
         """Mean Ch(d(x -> y), y) over fixed pairs of validation shapes, and how many columns move nothing there."""
         x = self.validation.points.float().to(self.device)
-        y = x.roll(1, 0)
-        A, v = self.space.dictionary(x), self.space.vector(x, y)
-        deformed = x + offsets(A, v)
-        self._stay_finite(deformed)
-        return chamfer(deformed, y).mean().item(), len(dead_columns(A, v))
+        cds, moved = [], []
+        for here, there in zip(x.split(AT_ONCE), x.roll(1, 0).split(AT_ONCE), strict=True):
+            A, v = self.space.dictionary(here), self.space.vector(here, there)
+            deformed = here + offsets(A, v)
+            self._stay_finite(deformed)
+            cds.append(chamfer(deformed, there))
+            moved.append(column_rms(A) * v)
+        return torch.cat(cds).mean().item(), len(unused(torch.cat(moved).square().mean(0).sqrt()))
 
     def _stay_finite(self, numbers: Tensor) -> None:
         if not numbers.isfinite().all():
@@ -182,17 +201,27 @@ class Training:
         self.world.add([clock])
         return clock.item()
 
-    def _look(self, loss: float) -> Record:
+    def _look(self, loss: float, *, due: bool = True) -> Record:
+        """Validates, and writes the checkpoint; a look that was not due counts for the result, not for a resumption."""
         cd, dead = self.validate()
-        record = Record(self.step, self.seconds, loss, cd, self.learning_rate, dead)
-        self.history.append(record)
-        if record.validation_cd < self.best_cd:
-            self.best, self.best_cd = deepcopy(self.space.state_dict()), record.validation_cd
+        self.history.append(Record(self.step, self.seconds, loss, cd, self.learning_rate, dead))
+        before = self.best, self.best_cd
+        if cd < self.best_cd:
+            self.best, self.best_cd = deepcopy(self.space.state_dict()), cd
         if self.run and self.world.writes:
-            clock = {"step": self.step, "seconds": self.seconds, "best_cd": self.best_cd, **self._origin}
-            save_checkpoint(self.run, self.space, self.best, self.optimizer, clock)
+            best, best_cd = (self.best, self.best_cd) if due else before
+            clock = {"step": self.step, "seconds": self.seconds, "best_cd": best_cd, **self._origin}
+            clock["looks"] = len(self.history) if due else len(self.history) - 1
+            self.run.mkdir(parents=True, exist_ok=True)
             save_history(self.run, map(asdict, self.history))
-        return record
+            save_checkpoint(self.run, self.space, best, self.optimizer, clock, self._told)
+        return self.history[-1]
+
+    @property
+    def _told(self) -> str:
+        """All that a resumed training must be told again: a longer budget is another schedule, but may be wanted."""
+        told = asdict(self.config)
+        return json.dumps({name: value for name, value in told.items() if name not in ("seconds", "steps", "device")})
 
     @cached_property
     def _origin(self) -> dict[str, int | float]:
@@ -200,63 +229,14 @@ class Training:
         sizes = self.seen.points.double().square().mean((1, 2)).cpu()
         place = torch.arange(1, len(sizes) + 1)  # of other shapes, or in another order, another number
         shapes = (sizes * place).mean().item()
-        return {"seed": self.config.seed, "rms": int(self.config.columns == "rms"), "shapes": shapes}
+        return {"shapes": shapes}
 
     def _resume(self) -> None:
-        self.best, clock = load_checkpoint(self.run, self.space, self.optimizer)
+        self.best, clock = load_checkpoint(self.run, self.space, self.optimizer, self._told)
         if not all(isclose(clock[name], value) for name, value in self._origin.items()):
             raise ValueError(
-                f"train: the checkpoint in {self.run} must be of these shapes, with this seed, it is of others; "
-                "resume with the file and the Config it began with"
+                f"train: the checkpoint in {self.run} must be of these shapes, it is of others; "
+                "resume with the file it began with"
             )
         self.step, self.seconds, self.best_cd = int(clock["step"]), clock["seconds"], clock["best_cd"]
-        self.history = [Record(**line) for line in load_history(self.run)]
-
-
-def train(
-    shapes: Any,
-    config: Config | None = None,
-    *,
-    out: str | Path | None = None,
-    resume: bool = False,
-    watch: Callable[[Training, Record], None] | None = None,
-) -> DeformSyncNet:
-    """A DeformSyncNet of these shapes: a collection, or an array of point clouds (N, n, 3).
-
-    `out` is a run folder that is kept up to date and can be resumed; `watch` is called at every look at the validation
-    shapes. Ctrl-C, or the stop button of a notebook, ends the training and keeps the best weights so far.
-    """
-    config, run = config or Config(), None if out is None else Path(out)
-    shapes = shapes if isinstance(shapes, Shapes) else as_shapes(shapes)  # which would read all of one in shards
-    config.check(shapes)
-    if run and not resume and (run / "config.json").exists():
-        raise ValueError(f"train: {run} must not hold a run already, it does; resume it, or choose another folder")
-    if resume and run is None:
-        raise ValueError("train: resume needs the run folder to go on from, got no out; give out=FOLDER")
-    with joined(config.device) as world:
-        training = Training(shapes, config, run=run, resume=resume, world=world)
-        drive(training, watch)
-    return training.space.requires_grad_(False).eval()
-
-
-def drive(training: Training, watch: Callable[[Training, Record], None] | None) -> None:
-    """Trains to the end, or until Ctrl-C, with a bar of progress; the space then has the best weights."""
-    writes = training.world.writes
-    bar = tqdm(total=100, unit="%", bar_format=BAR, file=sys.stdout, disable=not writes)
-    bar.update(round(100 * training.progress))
-    try:
-        for record in training:
-            bar.update(min(100, round(100 * training.progress)) - bar.n)
-            bar.set_postfix(step=record.step, loss=f"{record.loss:.2e}", validation=f"{record.validation_cd:.2e}")
-            if watch:
-                watch(training, record)
-        if writes and training.history and (dead := training.history[-1].dead):
-            bar.write(f"{dead} of the {training.config.k} columns of the dictionary move nothing; a smaller k will do.")
-    except KeyboardInterrupt:
-        bar.write(f"Stopped at step {training.step}; the best weights so far are kept.")
-    finally:  # also where a training went wrong: the run folder then holds the best weights before it did, if any
-        bar.close()
-        training.space.load_state_dict(training.best)
-        if training.run and training.history and writes:
-            ended = training.progress >= 1
-            save_run(training.space, training.config, training.run, training.validation.points[:2], finished=ended)
+        self.history = [Record(**line) for line in load_history(self.run)][: int(clock["looks"])]

@@ -52,6 +52,14 @@ def test_projection_is_that_of_each_shape(shapes):
     torch.testing.assert_close(batch.project(batch.project(u)), expected)
 
 
+def test_what_handles_see_is_the_length_of_the_projection(shapes):
+    u = torch.randn(*shapes.points.shape, 4, dtype=torch.float64, generator=torch.Generator().manual_seed(2))
+    held = (shapes.labels >= 0)[..., None, None]
+    slow = (BatchHandles.of(shapes).project(u) * held).square().sum(2).mean(1).sqrt()
+    torch.testing.assert_close(BatchHandles.of(shapes).seen(u), slow)
+    torch.testing.assert_close(BatchHandles.of(shapes).seen(u[..., 0]), slow[:, 0])
+
+
 def test_gradients_pass(shapes):
     few = shapes[:2]
     batch = BatchHandles.of(replace(few, points=few.points))

@@ -206,8 +206,10 @@ def test_curves_of_laws_are_means_over_the_steps_that_all_seeds_have(tmp_path):
 def test_whether_modes_are_local_at_little_cost(quiet, cd, said, tmp_path):
     results = Results(sparsity.EXPERIMENT, LITE, tmp_path)
     runs = {run.key: run for run in results.runs}
-    results.add(runs["l21-0-seed0"], {"figures": {"fitting_cd": 1.0, "quiet": 5.0, "varimax_quiet": 4.0}})
-    results.add(runs["l21-3-seed0"], {"figures": {"fitting_cd": cd, "quiet": quiet}})
+    results.add(
+        runs["l21-0-seed0"], {"figures": {"fitting_cd": 1.0, "quiet": 5.0, "scaled": 5.0, "varimax_quiet": 4.0}}
+    )
+    results.add(runs["l21-3-seed0"], {"figures": {"fitting_cd": cd, "quiet": quiet, "scaled": quiet}})
     page = sparsity.section(results)
     assert said in page
     assert "makes 4 % small, no more than w = 0" in page

@@ -16,8 +16,8 @@ ORDER = {
     ).split(),
     "dsn_lite": (
         "types dictionary chamfer handles pooling networks shapes batch_handles contract data files space metrics "
-        "coverage losses modes axioms config runs checkpoints world batches training sweep zoo __init__ byhand meshes "
-        "plots widgets diagnosis judges checks lessons build experiments commands __main__"
+        "coverage losses modes axioms config runs checkpoints world batches training driving sweep zoo __init__ byhand "
+        "meshes plots widgets diagnosis judges checks lessons build experiments commands __main__"
     ).split(),
 }
 FOREIGN = {"data_gen": {"torch", "dsn_lite"}, "dsn_lite": {"data_gen"}}  # the two meet only in the sample file

@@ -5,7 +5,16 @@ from worlds import near, randn, unchecked
 from dsn_lite.batch_handles import BatchHandles
 from dsn_lite.chamfer import chamfer, plant
 from dsn_lite.dictionary import column_scales
-from dsn_lite.losses import AXES, fitting, handle_dictionary, mirror, sparsity_l1, sparsity_l21, symmetry
+from dsn_lite.losses import (
+    AXES,
+    fitting,
+    handle_dictionary,
+    mirror,
+    seen_dictionary,
+    sparsity_l1,
+    sparsity_l21,
+    symmetry,
+)
 
 
 def test_fitting_is_the_mean_chamfer_over_the_batch():
@@ -60,6 +69,23 @@ def test_l21_is_gradchecked():
 def test_mirror_refuses_another_axis():
     with pytest.raises(ValueError, match='mirror: axis must be "x", "y" or "z", got \'w\''):
         unchecked(mirror)(randn(0, 4, 3), "w")
+
+
+def test_a_column_cannot_hide_from_the_handles():
+    """A ripple that no handle sees makes B+F of a normalised column small, but not where only what is seen counts."""
+    rest = torch.linspace(-0.5, 0.5, 100).double()[:, None].expand(1, 100, 3)
+    box = torch.tensor([0.0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1]).double()
+    handles = BatchHandles(torch.zeros(1, 100, dtype=torch.int64), rest, box.expand(1, 1, 15))
+    shift = torch.ones(1, 100, 3, 1).double()
+    ripple = 20 * torch.cos(2 * torch.pi * (torch.arange(100).double() + 0.5) / 100)[:, None, None].expand(1, 100, 3, 1)
+    near(handles.project(ripple), torch.zeros_like(ripple))
+    sizes = []
+    for A in (shift, shift + ripple):
+        whole = handle_dictionary(A / column_scales(A, "rms"), handles)
+        sizes.append((whole.abs().sum().item(), seen_dictionary(A, handles).abs().sum().item()))
+    assert sizes[1][0] < sizes[0][0] / 10
+    assert sizes[1][1] == pytest.approx(sizes[0][1])
+    assert sizes[0][0] == pytest.approx(sizes[0][1])
 
 
 def test_both_directions_of_the_mirrored_distance_are_one_number():

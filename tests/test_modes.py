@@ -89,7 +89,8 @@ def test_dead_columns_are_those_that_no_vector_uses_or_that_move_nothing():
     assert modes.dead_columns(A, v).tolist() == []
     v[:, 1], A[..., 3] = 1e-4, 0
     assert modes.dead_columns(A, v).tolist() == [1, 3]
-    assert modes.dead_columns(A, v, below=0.0).tolist() == []
+    assert modes.dead_columns(A, v, below=0.0).tolist() == [3]
+    assert modes.dead_columns(A, torch.zeros_like(v)).tolist() == [0, 1, 2, 3, 4]  # a space that has collapsed
 
 
 @pytest.mark.parametrize(

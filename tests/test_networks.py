@@ -120,3 +120,14 @@ def test_reset_draws_from_its_seed_and_leaves_the_global_generator_alone():
     assert torch.equal(torch.rand(3), expected)
     assert torch.equal(weights[0], weights[1])
     assert not torch.equal(weights[0], weights[2])
+
+
+def test_a_trained_encoder_can_be_differentiated_by_torch_func():
+    """In eval mode, as spaces are returned; in training the pooled layer is one fused step of the same values."""
+    E, x = reset(Encoder(K, (8, 16), (8,)), 0).double(), randn(0, 9, 3)
+    fused = E(x)
+    E.eval()
+    near(E(x), fused)
+    J = torch.func.jacrev(E)(x)
+    v = randn(1, 9, 3)
+    near((J * v).sum((-2, -1)), (E(x + 1e-7 * v) - E(x - 1e-7 * v)) / 2e-7, scale=1e3)

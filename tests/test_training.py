@@ -11,9 +11,10 @@ from worlds import TINY, shapes_of, stop_at, weights
 from dsn_lite import losses
 from dsn_lite.config import Config
 from dsn_lite.data import triplets
+from dsn_lite.driving import drive, train
 from dsn_lite.metrics import evaluate, transfer_error
 from dsn_lite.runs import finished, load_run
-from dsn_lite.training import Record, Training, drive, train
+from dsn_lite.training import AT_ONCE, Record, Training
 
 shapes = shapes_of("box/one", 20, 32)
 
@@ -231,3 +232,11 @@ def test_columns_that_move_nothing_are_counted_and_reported(capsys):
     drive(training, None)
     assert training.history[-1].dead == 2
     assert "2 of the 3 columns of the dictionary move nothing; a smaller k will do." in capsys.readouterr().out
+
+
+def test_validation_in_pieces_is_that_of_all_at_once():
+    training = Training(shapes_of("chair", 200, 40), TINY)
+    x = training.validation.points
+    assert len(x) == 10 > AT_ONCE
+    y = x.roll(1, 0)
+    assert training.validate()[0] == pytest.approx(losses.chamfer(training.space.deform(x, y), y).mean().item())

@@ -1,14 +1,18 @@
 """Trainings that are stopped, resumed, or go wrong."""
 
 import json
+import signal
+import threading
 from dataclasses import replace
 
 import pytest
 import torch
 from worlds import TINY, shapes_of, stop_at, weights
 
-from dsn_lite.runs import load_run
-from dsn_lite.training import Training, train
+from dsn_lite.driving import interrupts, train
+from dsn_lite.runs import finished, load_run
+from dsn_lite.training import Training
+from dsn_lite.world import World
 
 shapes = shapes_of("box/one", 20, 32)
 
@@ -88,16 +92,74 @@ def test_a_training_that_fails_before_it_learned_anything_leaves_no_run(tmp_path
     train(shapes, TINY, out=tmp_path / "run")  # the retry is not refused
 
 
-@pytest.mark.parametrize("other", [{"seed": 1}, {"columns": "unit"}])
-def test_resuming_with_another_seed_or_other_columns(other, tmp_path):
+@pytest.mark.parametrize(
+    ("other", "words"),
+    [
+        ({"seed": 1}, "its seed is 0 instead of 1"),
+        ({"columns": "unit"}, "its columns is rms instead of unit"),
+        ({"symmetry": 1.0}, "its symmetry is 0.0 instead of 1.0"),
+        ({"head": (8,)}, r"its head is \[16\] instead of \[8\]"),
+        ({"learning_rate": 1e-3}, "its learning_rate is 0.004 instead of 0.001"),
+    ],
+)
+def test_resuming_with_another_config(other, words, tmp_path):
     train(shapes, TINY, out=tmp_path, watch=stop_at(2))
-    with pytest.raises(ValueError, match=r"train: the checkpoint in .* must be of these shapes, with this seed"):
+    with pytest.raises(ValueError, match=rf"train: the checkpoint in .* must fit this Config, {words}; resume with"):
         train(shapes, replace(TINY, **other), out=tmp_path, resume=True)
+
+
+def test_a_budget_can_be_raised(tmp_path):
+    train(shapes, TINY, out=tmp_path, watch=stop_at(2))
+    train(shapes, replace(TINY, steps=40), out=tmp_path, resume=True)
+    assert json.loads((tmp_path / "history.jsonl").read_text().splitlines()[-1])["step"] == 40
+
+
+def test_ctrl_c_in_the_midst_of_a_step_waits_for_its_end_and_resumes_to_the_same(tmp_path, monkeypatch):
+    """A signal while Adam has changed some weights and not others; the look it causes is not one of the resumed run."""
+    whole = train(shapes, TINY, out=tmp_path / "whole")
+    taken, step = [], torch.optim.Adam.step
+
+    def interrupted(optimizer):
+        taken.append(1)
+        if len(taken) == 8:
+            signal.raise_signal(signal.SIGINT)
+        return step(optimizer)
+
+    with monkeypatch.context() as patch:
+        patch.setattr(torch.optim.Adam, "step", interrupted)
+        train(shapes, TINY, out=tmp_path / "parts")
+    assert len(taken) == 8
+    assert not finished(tmp_path / "parts")
+    assert torch.equal(weights(train(shapes, TINY, out=tmp_path / "parts", resume=True)), weights(whole))
+    records = [(tmp_path / run / "history.jsonl").read_text().splitlines() for run in ("whole", "parts")]
+    assert [json.loads(line)["step"] for line in records[0]] == [json.loads(line)["step"] for line in records[1]]
+    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+
+
+def test_a_second_ctrl_c_does_not_wait(tmp_path):
+    training = Training(shapes, TINY)
+    with interrupts(training):
+        signal.raise_signal(signal.SIGINT)
+        assert training.stopping
+        with pytest.raises(KeyboardInterrupt):
+            signal.raise_signal(signal.SIGINT)
+
+
+def test_a_training_in_another_thread_leaves_signals_alone():
+    found = []
+    thread = threading.Thread(target=lambda: found.append(train(shapes, TINY)))
+    thread.start(), thread.join()
+    assert torch.equal(weights(found[0]), weights(train(shapes, TINY)))
+
+
+def test_more_processes_than_pairs():
+    with pytest.raises(ValueError, match="train: batch must have a pair for each of 5 processes, got 4; raise it"):
+        Training(shapes, TINY, world=World(0, 5))
 
 
 def test_resuming_with_other_shapes(tmp_path):
     train(shapes, TINY, out=tmp_path, watch=stop_at(2))
-    with pytest.raises(ValueError, match=r"train: the checkpoint in .* must be of these shapes, with this seed"):
+    with pytest.raises(ValueError, match=r"train: the checkpoint in .* must be of these shapes, it is of others"):
         train(replace(shapes, points=shapes.points * 1.01), TINY, out=tmp_path, resume=True)
 
 
@@ -148,9 +210,7 @@ def test_resuming_needs_a_checkpoint(tmp_path):
 
 def test_resuming_with_another_k(tmp_path):
     train(shapes, TINY, out=tmp_path, watch=stop_at(2))
-    with pytest.raises(
-        ValueError, match=r"train: the checkpoint in .* must fit this Config, it has another k or other"
-    ):
+    with pytest.raises(ValueError, match=r"train: the checkpoint in .* must fit this Config, its k is 3 instead of 4"):
         train(shapes, replace(TINY, k=4), out=tmp_path, resume=True)
 
 

@@ -11,13 +11,13 @@ import pytest
 import torch
 from worlds import TINY, shapes_of, unchecked
 
+from dsn_lite.driving import train
 from dsn_lite.files import save_shapes
 from dsn_lite.runs import finished, load_run
-from dsn_lite.training import train
 from dsn_lite.world import World
 
 ROOT = Path(__file__).resolve().parent.parent
-TOLD = "--k 3 --batch 4 --steps 4 --features 8 16 32 --head 16 --points 40 --sparsity 0.1 --symmetry 1"
+TOLD = "--k 3 --batch 5 --steps 4 --features 8 16 32 --head 16 --points 40 --sparsity 0.1 --symmetry 1"
 
 
 def test_two_processes_take_the_steps_of_one(tmp_path):
@@ -29,7 +29,7 @@ def test_two_processes_take_the_steps_of_one(tmp_path):
     save_shapes(shapes, tmp_path / "shapes.npz")
     alone = train(
         shapes,
-        replace(TINY, steps=4, points=40, sparsity=0.1, symmetry=1.0, learning_rate=1e-4),
+        replace(TINY, batch=5, steps=4, points=40, sparsity=0.1, symmetry=1.0, learning_rate=1e-4),
         out=tmp_path / "alone",
     )
     command = [sys.executable, "-m", "torch.distributed.run", "--standalone", "--nproc-per-node", "2", "-m", "dsn_lite"]
@@ -57,7 +57,6 @@ def test_two_processes_take_the_steps_of_one(tmp_path):
     x, y = shapes.points[:2]
     torch.testing.assert_close(load_run(tmp_path / "two").deform(x, y), alone.deform(x, y), atol=1e-5, rtol=0)
     assert "step=4" in done.stdout
-    assert done.stdout.count("100%") <= 2
 
 
 def test_alone_nothing_is_added():

@@ -5,7 +5,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 from hashlib import sha256
 from pathlib import Path
 from typing import Any
@@ -14,10 +14,12 @@ import torch
 
 from ..checkpoints import FILE as CHECKPOINT
 from ..checkpoints import load_history
+from ..config import Config
+from ..driving import drive
 from ..files import beside, load_shapes
 from ..runs import finished, load_run
 from ..shapes import Shapes
-from ..training import Record, Training, drive
+from ..training import Record, Training
 from .kinds import Data, Experiment, Run, Scale, Trained
 from .results import Results
 
@@ -44,8 +46,13 @@ class Workplace:
         return load_shapes(file), load_shapes(again)
 
     def folder(self, run: Run) -> Path:
-        """The folder of a training: that of every run, of any experiment, which is told the same."""
-        told = json.dumps(run.training, sort_keys=True).encode()
+        """The folder of a training: that of every run, of any experiment, which is told the same.
+
+        What a Config leaves at its default is left out, so that a field added later makes no training another one.
+        """
+        usual = asdict(Config())
+        told = {name: value for name, value in asdict(run.config).items() if value != usual[name] and name != "device"}
+        told = json.dumps(run.training | {"config": told}, sort_keys=True).encode()
         return self.cache / "trainings" / f"{run.data.name}-{sha256(told).hexdigest()[:12]}"
 
 
@@ -117,4 +124,11 @@ def _looks(folder: Path) -> list[dict[str, Any]]:
 
 
 def _data_gen(*arguments: object) -> None:
-    subprocess.run([sys.executable, "-m", "data_gen", *map(str, arguments)], check=True)
+    told = ["data_gen", *map(str, arguments)]
+    done = subprocess.run([sys.executable, "-m", *told], stderr=subprocess.PIPE, encoding="utf-8", errors="replace")
+    if done.returncode:
+        said = done.stderr.strip().splitlines() or [f"code {done.returncode}"]
+        raise ValueError(
+            f"reproduce: python -m {' '.join(told)} must make the shapes, it failed ({said[-1]}); see to that, and "
+            "repeat the command"
+        )

@@ -10,7 +10,7 @@ from .scales import COUNT, config, pairs
 from .tables import table
 
 STEPS = 500
-K, N = (2, 8, 32, 128), (128, 512, 1024)
+K, N = (2, 8, 32, 128), (64, 192, 512)
 FULL_K = (2, 4, 8, 16, 32, 64, 128, 256, 512)
 SIZE = {"k": 64, "points": 512}  # what the other one is kept at
 DENSE = 2048  # points of the targets, and of all shapes that are measured

@@ -6,9 +6,9 @@ from .chart import Axis, Chart, Line
 from .measures import MILLI
 from .results import Results
 
-WEIGHTS = {"l21": (0.0, 0.1, 1.0, 3.0, 10.0), "l1": (1.0, 3.0)}
+WEIGHTS = {"l21": (0.0, 0.1, 1.0, 3.0, 10.0), "l1": (1.0, 3.0), "l1seen": (1.0, 3.0)}
 WITHOUT = "l21-0"
-NORMS = {"l21": "l2,1", "l1": "l1"}
+NORMS = {"l21": "l2,1", "l1": "l1", "l1seen": "l1 of what is seen"}
 THRESHOLDS = [10 ** (i / 3 - 4) for i in range(13)]
 TICKS = (0.1, 1.0, 3.0, 10.0)
 CD = Axis("fitting CD, 10⁻³")
@@ -39,7 +39,7 @@ def charts(results: Results) -> list[Chart]:
         Chart(
             "c", "Non-zero columns against the threshold", by_threshold("columns"), threshold, Axis("non-zero columns")
         ),
-        Chart("d", "Small elements against fitting", _paid(results), CD, Axis("elements below 1 %, in %")),
+        Chart("d", "Small elements of scaled columns against fitting", _paid(results), CD, Axis("below 1 %, in %")),
     ]
 
 
@@ -70,8 +70,8 @@ def _fits(results: Results) -> list[Line]:
 def _paid(results: Results) -> list[Line]:
     cds = lambda arms: _points(results, arms, "fitting_cd", MILLI)[0]
     lines = [
-        Line(NORMS[norm], cds(arms.values()), *_points(results, arms.values(), "quiet"))
+        Line(NORMS[norm], cds(arms.values()), *_points(results, arms.values(), "scaled"))
         for norm, arms in _arms(results).items()
     ]
-    free = {"w = 0": "quiet", "w = 0, varimax": "varimax_quiet"}
+    free = {"w = 0": "scaled", "w = 0, varimax": "varimax_scaled"}
     return lines + [Line(name, cds([WITHOUT]), *_points(results, [WITHOUT], figure)) for name, figure in free.items()]

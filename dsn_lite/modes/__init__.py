@@ -6,7 +6,7 @@ local = modes.change_of_basis(space, modes.local_basis(space, x, y.points).R)
 """
 
 from .bases import Rebased, change_of_basis
-from .columns import dead_columns, moved_by_columns
+from .columns import dead_columns, moved_by_columns, unused
 from .consistency import consistency, shuffled
 from .following import Following, following
 from .kinds import kind, kinds
@@ -37,5 +37,6 @@ __all__ = [
     "read",
     "shuffled",
     "silence",
+    "unused",
     "varimax",
 ]

@@ -17,6 +17,10 @@ def moved_by_columns(A: Dictionary, v: Vector) -> Float[Tensor, " k"]:
 
 
 def dead_columns(A: Dictionary, v: Vector, below: float = 0.01) -> Int[Tensor, " d"]:
-    """Columns, by index, that move shapes by less than `below` times what the most used one does."""
-    moved = moved_by_columns(A, v)
-    return (moved < below * moved.max()).nonzero().flatten()
+    """Columns, by index, that move shapes by at most `below` times what the most used one does; all, if none moves."""
+    return unused(moved_by_columns(A, v), below)
+
+
+def unused(moved: Float[Tensor, " k"], below: float = 0.01) -> Int[Tensor, " d"]:
+    """The same of what `moved_by_columns` found."""
+    return (moved <= below * moved.max()).nonzero().flatten()

@@ -13,11 +13,12 @@ from IPython.display import display
 from ..chamfer import chamfer
 from ..config import Config
 from ..data import Shapes
+from ..driving import train
 from ..files import as_shapes
 from ..plots import curve
 from ..plots.look import GREEN, VERMILLION
 from ..space import DeformSyncNet
-from ..training import Record, Training, train
+from ..training import Record, Training
 from .canvas import Canvas
 from .guard import Notice, hear_while_busy
 
