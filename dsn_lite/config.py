@@ -27,24 +27,24 @@ class Config:
     """What a training is told. The paper's values stand in the comments."""
 
     k: int = 32  # columns of the dictionary; paper: 64 and 512
-    seconds: float = 120.0  # budget of time on this machine
-    steps: int | None = None  # budget of steps instead: the same result again, on any machine of this kind
-    batch: int = 8  # shapes a step, each a source and a target; paper: 16 or 32 pairs
-    points: int = 512  # of a source, read in a step: sub-sampled anew from denser clouds, the target stays dense
-    learning_rate: float = 4e-3  # paper's code: 5e-4 and 1e-3
-    symmetry: float = 0.0  # weight of L_R; paper: 1
-    mirror: str = "x"  # axis across which shapes are symmetric
-    sparsity: float = 0.0  # weight of L_S, for shapes with parts; paper: 10
-    norm: str = "l21"  # of L_S: "l21" as in the paper's training, or "l1"
-    unit: str = "whole"  # of L_S: columns of unit length as in the paper, or "seen", of unit length to the handles
-    project: bool = False  # d_proj while training: the loss sees what the shapes' handles can follow
-    vector: str = "difference"  # of codes; or "concat", the ablation that reads both shapes together
-    features: tuple[int, ...] = (32, 64, 128)  # widths of the point features of E and F; paper: 64-64-64-128-1024
-    head: tuple[int, ...] = (128, 64)  # widths of F's head; paper: 512-256-128
-    columns: str = "rms"  # unit root mean square, or "unit" length as in the paper
-    clip: float = 10.0  # longest gradient: a step never goes farther
-    seed: int = 0
-    device: str = "cpu"
+    seconds: float = 120.0  # how long to train on this machine, where no steps are told
+    steps: int | None = None  # how many steps to train instead: the same result again, on any machine of this kind
+    batch: int = 8  # shapes of a step, each a source and a target once; paper: 16 or 32 pairs
+    points: int = 512  # points of a source that a step reads, drawn anew from denser clouds; targets stay dense
+    learning_rate: float = 4e-3  # highest step length of Adam; paper's code: 5e-4 and 1e-3
+    symmetry: float = 0.0  # weight of the symmetry loss L_R; paper: 1
+    mirror: str = "x"  # axis across which the symmetry loss mirrors shapes
+    sparsity: float = 0.0  # weight of the sparsity loss L_S, for shapes with parts; paper: 10
+    norm: str = "l21"  # norm in the sparsity loss: l21 as in the paper's training, or l1
+    unit: str = "whole"  # unit length in the sparsity loss: of whole columns, as in the paper, or of what handles see
+    project: bool = False  # train on shapes projected to what the handles of their parts can follow (Eq. 8)
+    vector: str = "difference"  # difference of two codes, or concat, the ablation that reads both shapes together
+    features: tuple[int, ...] = (32, 64, 128)  # widths of the point features of both networks; paper: 64 64 64 128 1024
+    head: tuple[int, ...] = (128, 64)  # widths of the dictionary's last layers; paper: 512 256 128
+    columns: str = "rms"  # columns have root mean square 1 over the points (rms), or length 1 as in the paper (unit)
+    clip: float = 10.0  # longest gradient: a longer one is cut to it, so that no step goes farther
+    seed: int = 0  # seed of the split, of the first weights and of the batches
+    device: str = "cpu"  # what it is trained on: cpu, cuda, cuda:1, mps
 
     def __post_init__(self) -> None:
         for name in ("k", "batch", "points", "learning_rate", "clip"):

@@ -181,6 +181,15 @@ def test_it_is_measured_on_shapes_held_out(lab):
     assert not (trained.seen.parameters == trained.shapes.parameters[:1]).all(1).any()
 
 
+def test_shapes_that_cannot_be_made_are_one_sentence(lab):
+    sentence = (
+        r"reproduce: python -m data_gen generate box/none .* must make the shapes, it failed \(.*box/none.*\); see to "
+        "that, and repeat the command"
+    )
+    with pytest.raises(ValueError, match=sentence):
+        lab.place.shapes(Data("box/none", 24, 16))
+
+
 def test_broken_results_are_refused(lab):
     lab.place.results.mkdir()
     (lab.place.results / "tiny.json").write_text("{", encoding="utf-8")

@@ -11,7 +11,16 @@ from worlds import shapes_of
 import data_gen
 from dsn_lite import Config, as_shapes
 from dsn_lite.config import network
-from dsn_lite.experiments import EXPERIMENTS, axioms, projection, report, silence, sparsity, synchronization
+from dsn_lite.experiments import (
+    EXPERIMENTS,
+    axioms,
+    projection,
+    projection_page,
+    report,
+    silence,
+    sparsity,
+    synchronization,
+)
 from dsn_lite.experiments.kinds import Scale, Trained
 from dsn_lite.experiments.results import Results
 from dsn_lite.experiments.transfers import plausible
@@ -134,22 +143,89 @@ def test_every_run_can_be_begun(name, scale):
 
 def test_table_3_is_told_as_printed():
     better = {
-        (f, c) for (f, c), (without, projected) in projection.PAPER.items() if f != "coverage" and projected < without
+        (f, c)
+        for (f, c), (without, projected) in projection_page.PAPER.items()
+        if f != "coverage" and projected < without
     }
     assert better == {("fitting", "chair"), ("fitting", "sofa"), ("fitting", "table"), ("mmd", "sofa")}
 
 
-def test_the_order_is_the_papers_where_it_is(stored, tmp_path):
-    run = {run.arm: run for run in projection.EXPERIMENT.runs(Scale("lite", 1))}
-    results = Results(projection.EXPERIMENT, Scale("lite", 1), tmp_path)
-    figures = {name: 1.0 for figure in projection.FIGURES for name in (figure, f"free_{figure}", f"idle_{figure}")}
-    results.add(run["chair-without"], {"seconds": 1.0, "figures": figures})
-    results.add(run["chair-with"], {"seconds": 1.0, "figures": figures | {"fitting": 0.5, "mmd": 0.5, "coverage": 0.5}})
-    said = projection.section(results)
-    rows = [line for line in said.splitlines() if line.startswith("| fitting") and "5.93" in line]
-    assert rows[0].endswith("| yes |")
-    assert "In MMD-CD the order is the paper's for none of chair." in said
-    assert "In Cov-CD the order is the paper's for chair of chair." in said
+NAMES = [name for figure in projection_page.FIGURES for name in (figure, f"free_{figure}", f"idle_{figure}")]
+
+
+def projected(folder, without, projected):
+    """Chairs of which every figure without projection in training, and with it, is that of each seed."""
+    results = Results(projection.EXPERIMENT, LITE, folder)
+    for run in results.runs:
+        values = {"chair-without": without, "chair-with": projected}.get(run.arm, {})
+        if run.config.seed in values:
+            value = values[run.config.seed]
+            figures = value if isinstance(value, dict) else dict.fromkeys(NAMES, value)
+            results.add(run, {"seconds": 1.0, "figures": figures})
+    return results
+
+
+def rows(page, category="chair"):
+    """The cells of our table, by figure."""
+    lines = [line.strip("| ").split(" | ") for line in page.splitlines() if line.startswith("| ")]
+    return {cells[0].split(",")[0]: cells[2:] for cells in lines if cells[1] == category and len(cells) == 8}
+
+
+def test_the_order_is_the_papers_where_it_is(tmp_path):
+    page = projection.section(projected(tmp_path, {0: 1.0, 1: 1.1}, {0: 0.5, 1: 0.7}))
+    orders = {figure: cells[-1] for figure, cells in rows(page).items()}
+    assert orders == {"fitting CD": "yes", "MMD-CD": "no", "Cov-CD": "yes"}
+    assert (
+        "Of 3 comparisons with the paper, 2 have the paper's order beyond the spread over the seeds (fitting CD" in page
+    )
+    assert "of chair and Cov-CD of chair); 1 have the other order beyond it (MMD-CD of chair)." in page
+
+
+def test_a_difference_within_the_spread_is_no_order(tmp_path):
+    page = projection.section(projected(tmp_path, {0: 1.0, 1: 1.0}, {0: 0.5, 1: 1.4}))
+    assert rows(page)["fitting CD"][-1] == "yes, within the spread"
+    assert "Of 3 comparisons with the paper, 3 have a difference within the spread, which tells no order (" in page
+
+
+def test_rows_hold_the_seeds_that_both_trainings_have(tmp_path):
+    page = projection.section(projected(tmp_path, {0: 1e-3, 1: 2e-3, 2: 9e-3}, {1: 1e-3}))
+    assert rows(page)["fitting CD"] == ["2", "1", "-1", "6.82", "5.93", "yes, of one seed"]
+    assert "3 have one seed, which has no spread (" in page
+    assert "9 |" not in page
+
+
+def test_trainings_without_a_seed_in_common_are_not_shown(tmp_path):
+    results = projected(tmp_path, {0: 1.0}, {1: 1.0, 2: 2.0})
+    assert projection.section(results) == "Of no category both trainings of one seed are done yet."
+
+
+@pytest.mark.parametrize(
+    ("mmd", "coverage", "said"),
+    [
+        (0.5, 2.0, ("better than each", "better than each")),
+        (2.0, 0.5, ("no better than any", "no better than any")),
+        (1.5, 1.5, ("better than some", "better than some")),
+    ],
+)
+def test_doing_nothing_is_compared_by_the_figures(mmd, coverage, said, tmp_path):
+    told = dict.fromkeys(NAMES, 1.0) | {"idle_mmd": mmd, "idle_coverage": coverage}
+    with_it = told | {name: 2.0 - (mmd != 1.5) for name in ("mmd", "coverage")}
+    page = projection.section(projected(tmp_path, {0: told}, {0: with_it}))
+    for name, place in zip(("MMD-CD", "Cov-CD"), said, strict=True):
+        assert f"In {name}, doing nothing scores {place} of the four kinds of transfers for chair." in page
+
+
+def test_silence_is_told_of_each_weight_with_its_spread(tmp_path):
+    results, echoes = (
+        Results(silence.EXPERIMENT, LITE, tmp_path),
+        {"chair-w0": (60, 80, 70), "chair-w10": (90, 120, 84)},
+    )
+    for run in results.runs:
+        if run.arm in echoes:
+            figures = {"untrained_echo": 100.0, "echo": echoes[run.arm][run.config.seed]}
+            results.add(run, {"figures": figures})
+    page = silence.section(results)
+    assert "100 → 70 ± 10 % with w = 0 (quieter); 100 → 98 ± 19 % with w = 10 (quieter, within the spread)." in page
 
 
 def test_transfers_that_are_the_references_match_and_cover_them(collections):
@@ -206,13 +282,25 @@ def test_curves_of_laws_are_means_over_the_steps_that_all_seeds_have(tmp_path):
 def test_whether_modes_are_local_at_little_cost(quiet, cd, said, tmp_path):
     results = Results(sparsity.EXPERIMENT, LITE, tmp_path)
     runs = {run.key: run for run in results.runs}
+    without = {
+        "fitting_cd": 1.0,
+        "quiet": 5.0,
+        "scaled": 5.0,
+        "inside": 90.0,
+        "varimax_quiet": 4.0,
+        "varimax_scaled": 7.0,
+    }
+    results.add(runs["l21-0-seed0"], {"figures": without})
     results.add(
-        runs["l21-0-seed0"], {"figures": {"fitting_cd": 1.0, "quiet": 5.0, "scaled": 5.0, "varimax_quiet": 4.0}}
+        runs["l21-3-seed0"], {"figures": {"fitting_cd": cd, "quiet": quiet, "scaled": quiet - 50, "inside": 40.0}}
     )
-    results.add(runs["l21-3-seed0"], {"figures": {"fitting_cd": cd, "quiet": quiet, "scaled": quiet}})
     page = sparsity.section(results)
     assert said in page
     assert "makes 4 % small, no more than w = 0" in page
+    assert (
+        "handles see 90 % of the columns without the loss, and least, 40 %, at l2,1, w = 3; scaling takes 50.0" in page
+    )
+    assert ("Of scaled columns, no weight reaches it." in page) == (cd < 1.3)
 
 
 def test_concat_is_compared_with_the_paper():

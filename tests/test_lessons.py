@@ -21,10 +21,17 @@ def test_budgets_are_small_while_lessons_are_tested(monkeypatch):
 
 
 def test_the_sentence_of_an_error_is_shown(capsys):
-    lessons.error_of(lambda: load("sofa"))
-    assert "ValueError: load: there is no ready-made space 'sofa'" in capsys.readouterr().out
+    lessons.error_of(lambda: load("spoon"))
+    assert "ValueError: load: there is no ready-made space 'spoon'" in capsys.readouterr().out
 
 
 def test_other_errors_are_not_hidden():
     with pytest.raises(ZeroDivisionError):
         lessons.error_of(lambda: 1 / 0)
+
+
+def test_steps_are_few_while_lessons_are_tested(monkeypatch):
+    monkeypatch.delenv(lessons.SMOKE, raising=False)
+    assert lessons.steps(240) == 240
+    monkeypatch.setenv(lessons.SMOKE, "1")
+    assert lessons.steps(240) == 5

@@ -4,6 +4,7 @@ import json
 import re
 import subprocess
 import sys
+from dataclasses import fields
 from pathlib import Path
 
 import numpy as np
@@ -11,9 +12,11 @@ import pytest
 import trimesh
 
 import data_gen
-from dsn_lite import axioms, load_run, load_shapes, meshes, metrics, zoo
+from dsn_lite import Config, axioms, load_run, load_shapes, meshes, metrics, save_shapes, zoo
 from dsn_lite.__main__ import main
 from dsn_lite.commands import COMMANDS, runs
+from dsn_lite.config import CHOICES
+from dsn_lite.experiments import EXPERIMENTS
 
 ROOT = Path(__file__).resolve().parent.parent
 LITTLE = "--k 4 --batch 4 --features 8 16 --head 8 --seed 2".split()
@@ -56,6 +59,15 @@ def test_train_resumes(folder, tmp_path, capsys):
     assert len((tmp_path / "run" / "history.jsonl").read_text(encoding="utf-8").splitlines()) == 5
 
 
+def test_train_resumed_at_its_end_says_so(folder, tmp_path, capsys):
+    given = ["train", str(folder / "tables.npz"), "--out", str(tmp_path / "run"), "--steps", "2", *LITTLE]
+    assert main(given) == 0
+    capsys.readouterr()
+    assert main([*given, "--resume"]) == 0
+    said = capsys.readouterr().out.splitlines()[-1]
+    assert re.fullmatch(r".*run: had reached its end already, at step 2 after [\d.]+ s; nothing was trained", said)
+
+
 def test_evaluate_measures_what_was_held_out(folder, capsys):
     assert run(folder, "evaluate", "run", "tables.npz", "--again", "again.npz", "--pairs", "5", "--seed", "3") == 0
     first, second = (load_shapes(folder / name).split(2)[2] for name in ("tables.npz", "again.npz"))
@@ -67,6 +79,22 @@ def test_evaluate_measures_every_shape_of_another_file(folder, capsys):
     assert run(folder, "evaluate", "run", "tables.npz", "--all", "--pairs", "5") == 0
     expected = metrics.evaluate(load_run(folder / "run"), load_shapes(folder / "tables.npz"), pairs=5)
     assert capsys.readouterr().out == f"120 shapes of {folder / 'tables.npz'}\n{expected}\n"
+
+
+@pytest.mark.parametrize("alone", [False, True])
+def test_a_family_of_a_mixed_file_is_measured_on_what_the_run_did_not_see(tmp_path, capsys, alone):
+    name, file, out = "table/four_legs", tmp_path / "mixed.npz", str(tmp_path / "run")
+    data_gen.save(data_gen.generate(("box/one", name), count=120, points=16, seed=0), file)
+    shapes = load_shapes(file)
+    family = ["--family", name] if alone else []
+    assert main(["train", str(file), "--out", out, "--steps", "1", *LITTLE, *family]) == 0
+    held_out = shapes.of_family(name).split(2)[2] if alone else shapes.split(2)[2].of_family(name)
+    capsys.readouterr()
+    assert main(["evaluate", out, str(file), "--family", name, "--pairs", "5"]) == 0
+    expected = metrics.evaluate(load_run(out), held_out, pairs=5)
+    assert capsys.readouterr().out == f"{len(held_out)} shapes of {file}\n{expected}\n"
+    assert main(["axioms", out, str(file), "--family", name]) == 0
+    assert capsys.readouterr().out == f"{axioms.report(load_run(out), held_out)}\n"
 
 
 def test_axioms_prints_the_report(folder, capsys):
@@ -146,11 +174,19 @@ def test_build_checks_and_writes(tmp_path, capsys):
             "load_mesh: .*nowhere.glb: there is no such file",
         ),
         (["deform", "run", "long.glb", "tall.ply", "-o", "a.fbx"], "save_mesh: .* must end in"),
+        (
+            ["evaluate", "run", "few.npz"],
+            r"held out: at least 3 shapes are needed to measure, got 0: only what was held out of .*few.npz was taken; "
+            "bring more shapes, or give --all for a file that the space was not trained on",
+        ),
+        (["axioms", "run", "plain.npz", "--family", "x"], "of_family: .* got none; leave --family x out"),
+        (["reproduce", "size", "--device", "foo"], "device: must be one that torch can use here, got 'foo'"),
         (["zoo", "--rebuild", "nothing"], "zoo: there is no recipe for 'nothing'"),
     ],
 )
 def test_trouble_is_one_sentence(folder, words, sentence, capsys):
     data_gen.save(data_gen.generate("table/four_legs", count=3, points=32, seed=0), folder / "few.npz")
+    save_shapes(np.zeros((9, 32, 3)), folder / "plain.npz")
     assert run(folder, *words) == 2
     said = capsys.readouterr().err
     assert len(said.splitlines()) == 1
@@ -173,6 +209,28 @@ def test_help_names_every_command():
     for name, function in COMMANDS.items():
         assert name in said.stdout
         assert function.__doc__.split()[0] in said.stdout
+
+
+def help_of(command, capsys):
+    """What --help says, in one line without its frame."""
+    with pytest.raises(SystemExit):
+        main([command, "--help"])
+    return " ".join(re.sub(r"\x1b\[[\d;]*m|[│─╭╮╰╯]", " ", capsys.readouterr().out).split())
+
+
+def test_help_explains_every_option_of_a_training(capsys):
+    said = help_of("train", capsys)
+    options = re.split(r" --(?!no-)(?=[a-z])", said[said.index(" --k ") :])[1:]
+    told = {option.split()[0].rstrip(","): option.split("(default")[0].split() for option in options}
+    for name in (field.name.replace("_", "-") for field in fields(Config)):
+        assert len(told[name]) > 4, name
+    for choices, _ in CHOICES.values():
+        assert "{" + ",".join(choices) + "}" in said
+
+
+@pytest.mark.parametrize(("command", "names"), [("reproduce", EXPERIMENTS), ("zoo", zoo.RECIPES)])
+def test_help_lists_the_names_there_are(command, names, capsys):
+    assert ", ".join(names) in help_of(command, capsys)
 
 
 def test_a_wrong_word_is_refused_with_2(capsys):

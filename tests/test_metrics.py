@@ -5,6 +5,7 @@ import torch
 from worlds import randn, shapes_of
 
 import data_gen
+from dsn_lite import metrics
 from dsn_lite.chamfer import chamfer
 from dsn_lite.data import Shapes, triplets, true_transfer
 from dsn_lite.files import as_shapes
@@ -80,6 +81,29 @@ def test_every_number_by_another_way():
     ).square().sum()
     assert found.transfer_error == pytest.approx(wrong.item())
     assert transfer_error(space, a, b, c) == pytest.approx(wrong.item())
+
+
+class Counting(LinearSpace):
+    """Remembers the most shapes that it was given at once."""
+
+    most = 0
+
+    def act(self, x, v):
+        self.most = max(self.most, len(x))
+        return super().act(x, v)
+
+
+@pytest.mark.parametrize("project", [False, True])
+def test_pairs_go_through_in_pieces_that_change_no_number(monkeypatch, project):
+    shapes = shared()
+    space = Counting.fit(shapes.points, 2)
+    found = evaluate(space, shapes, pairs=75, project=project)
+    assert space.most == metrics.AT_ONCE == 32
+    monkeypatch.setattr(metrics, "AT_ONCE", 75)
+    whole = evaluate(space, shapes, pairs=75, project=project)
+    assert space.most == 75
+    for name in (field.name for field in fields(found) if field.name != "floor"):
+        assert getattr(found, name) == pytest.approx(getattr(whole, name), rel=1e-12), name
 
 
 def test_what_a_plain_file_does_not_tell_is_unknown():

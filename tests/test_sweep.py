@@ -4,6 +4,7 @@ import io
 import json
 import os
 import re
+import shutil
 import signal
 import sys
 import threading
@@ -22,12 +23,12 @@ from joblib import cpu_count
 from worlds import TINY, shapes_of, weights
 
 import data_gen
-from dsn_lite import Config, load_run, load_shapes, metrics, train
+from dsn_lite import Config, Shapes, load_run, load_shapes, metrics, train
 from dsn_lite.__main__ import main
 from dsn_lite.checkpoints import load_history
 from dsn_lite.sweep import STOP, SUMMARY, child, cluster, sweep, table
 from dsn_lite.sweep.child import Outcome
-from dsn_lite.sweep.networks import Network, networks, words
+from dsn_lite.sweep.networks import SOURCE, Network, fingerprint, networks, words
 
 SMALL = Config(k=4, batch=4, steps=3, features=(8, 16), head=(8,), seed=2)
 FAMILIES = ("box/one", "table/four_legs")
@@ -133,7 +134,81 @@ def test_a_family_is_measured_on_what_was_held_out_of_it(swept, capsys):
     assert capsys.readouterr().out == f"{len(held_out)} shapes of {mixed}\n{expected}\n"
 
 
+def test_a_run_of_shapes_that_are_others_now_is_refused(swept, tmp_path):
+    mixed, runs = tmp_path / "mixed.npz", tmp_path / "runs"
+    shutil.copytree(swept.runs, runs)
+    shutil.copy(swept.files[0], mixed)
+    assert [outcome.state for outcome in sweep([mixed], runs, SMALL)] == [
+        "skipped",
+        "skipped",
+    ]  # it only lies elsewhere
+    data_gen.save(data_gen.generate(FAMILIES, count=80, points=32, seed=1), mixed)
+    words = (
+        r"sweep: .*box_one must hold a run of the shapes that .* holds now, it was trained on others \(of .*\); sweep"
+    )
+    with pytest.raises(ValueError, match=words):
+        sweep([mixed], runs, SMALL)
+    (runs / "box_one" / SOURCE).write_text("{", encoding="utf-8")
+    with pytest.raises(
+        ValueError, match=r"sweep: .*source\.json must tell what a run was trained on, it is broken; take"
+    ):
+        sweep([mixed], runs, SMALL)
+
+
+def test_shapes_that_nothing_was_trained_on_may_change(several, tmp_path, monkeypatch):
+    instead(monkeypatch, a="sys.exit('few')")
+    assert sweep(several[:1], tmp_path / "runs", SMALL)[0].state == "failed"
+    data_gen.save(data_gen.generate("box/one", count=9, points=8, seed=0), several[0])
+    instead(monkeypatch)
+    assert sweep(several[:1], tmp_path / "runs", SMALL)[0].state == "done"
+    told = json.loads((tmp_path / "runs" / "a" / SOURCE).read_text(encoding="utf-8"))
+    assert (told["file"], told["shapes"], told["points"]) == (str(several[0]), 9, 8)
+
+
+@pytest.mark.parametrize("count", [1, 1000, 2500])
+def test_a_fingerprint_tells_shapes_apart(count):
+    points = torch.arange(count * 6.0).reshape(count, 2, 3)
+    other = points.clone()
+    other[0, 1, 2] += 1e-3
+    first, same, second = (fingerprint(Shapes(each)) for each in (points, points.clone(), other))
+    assert first == same
+    assert first != second
+    assert (first["shapes"], first["points"]) == (count, 2)
+
+
 # what goes wrong on the way
+
+
+def test_a_killed_training_of_another_config_fails_in_its_own_words(swept, tmp_path):
+    run = tmp_path / "runs" / "few"
+    train(load_shapes(swept.files[0]), SMALL, out=run)
+    (run / "config.json").unlink()  # written at the end
+    shutil.copy(swept.files[0], tmp_path / "few.npz")
+    (outcome,) = sweep([tmp_path / "few.npz"], tmp_path / "runs", replace(SMALL, learning_rate=1e-3), whole=True)
+    assert outcome.state == "failed"
+    assert re.match(r"train: the checkpoint in .*few must fit this Config, its learning_rate is", outcome.trouble)
+
+
+def test_a_process_that_cannot_start_fails_alone(several, tmp_path, monkeypatch):
+    instead(monkeypatch)
+    begin = child.subprocess.Popen
+
+    def scarce(command, **given):
+        if "b'" in command[-1]:
+            raise OSError(12, "Cannot allocate memory")
+        return begin(command, **given)
+
+    monkeypatch.setattr(child.subprocess, "Popen", scarce)
+    outcomes = sweep(several, tmp_path / "runs", SMALL)
+    assert [outcome.state for outcome in outcomes] == ["done", "failed", "done"]
+    assert re.match(r"sweep: its process must start and .* \(.*Cannot allocate memory\); train", outcomes[1].trouble)
+
+
+def test_half_a_line_of_history_fails_alone(several, tmp_path, monkeypatch):
+    instead(monkeypatch, b="""(run / 'history.jsonl').write_text('{"step": 5, "sec'); (run / 'end').touch()""")
+    outcomes = sweep(several, tmp_path / "runs", SMALL)
+    assert [outcome.state for outcome in outcomes] == ["done", "failed", "done"]
+    assert re.match(r"sweep: .*history\.jsonl must be a JSON object a line, it is broken; take", outcomes[1].trouble)
 
 
 def test_a_killed_process_loses_only_its_own_network(several, tmp_path, monkeypatch):
@@ -295,7 +370,7 @@ def test_a_family_that_is_not_there():
         ValueError, match=r"of_family: shapes of 'chair' must be among these, they are box/one, table/f"
     ):
         mixed_shapes().of_family("chair")
-    with pytest.raises(ValueError, match="they are of no known family; take one of them"):
+    with pytest.raises(ValueError, match="of_family: these shapes must tell their families, got none; leave --family"):
         replace(mixed_shapes(), families=None).of_family("chair")
 
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from dsn_lite import plots, widgets
+from dsn_lite import widgets
 
 ELEMENTS = {"w = 0": {0.001: 100.0, 0.01: 90.0, 0.1: 40.0}, "w = 1": {0.001: 80.0, 0.01: 40.0, 0.1: 10.0}}
 COLUMNS = {name: {at: value / 2 for at, value in curve.items()} for name, curve in ELEMENTS.items()}
@@ -55,7 +55,7 @@ def test_a_button_chooses_what_is_counted(slider):
 def test_one_quantity_needs_no_buttons_and_one_figure_says_what_it_shows():
     alone = widgets.ThresholdSlider({"elements": ELEMENTS}, COSTS, cost="fitting", threshold=0.001)
     assert alone.choice not in alone.children
-    assert plots.alt(alone.view) == (
+    assert alone.view.layout.meta["alt"] == (
         "elements at a threshold of 0.001, against fitting: w = 0 100 for 2, w = 1 80 for 2.5."
     )
 
@@ -88,7 +88,7 @@ def test_what_cannot_be_drawn_is_refused(quantities, costs, words):
 
 def test_a_threshold_beyond_the_curves_is_refused(slider):
     with pytest.raises(
-        ValueError, match=r"must be between 0.001 and 0.1, where the curves are, got 2; choose one there"
+        ValueError, match=r"must be between 0.001 and 0.1, where the curves are, got 2.0; choose one there"
     ):
-        slider.threshold = 2
+        slider.threshold = 2.0
     assert slider.threshold == pytest.approx(0.01)

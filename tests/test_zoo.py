@@ -1,3 +1,7 @@
+import json
+import shutil
+from pathlib import Path
+
 import pytest
 import torch
 from worlds import randn
@@ -52,3 +56,44 @@ def test_a_rebuilt_run_is_that_of_the_commands_on_its_card(tmp_path, monkeypatch
     train(load_shapes(shapes), Config(k=4, steps=3), out=run)
     again, ours = load_run(run), load("small")
     assert all(torch.equal(ours.state_dict()[name], value) for name, value in again.state_dict().items())
+
+
+def test_a_command_that_fails_is_one_sentence(tmp_path, monkeypatch, capfd):
+    monkeypatch.setitem(zoo.RECIPES, "spoon", zoo.Recipe("spoon --count 9 --points 8", "", "Everything."))
+    with pytest.raises(
+        ValueError,
+        match=r"zoo: python -m data_gen generate spoon --count 9 --points 8 --out .* must end well, got"
+        r" exit code 2; see what it said above",
+    ):
+        zoo.rebuild("spoon")
+    assert "spoon" in capfd.readouterr().err
+
+
+def test_a_run_that_was_stopped_is_not_published(tmp_path, monkeypatch):
+    monkeypatch.setattr(zoo, "HERE", tmp_path)
+    shutil.copytree(Path(zoo.__file__).parent / "chair", tmp_path / "run")
+    about = json.loads((tmp_path / "run" / "config.json").read_text(encoding="utf-8"))
+    (tmp_path / "run" / "config.json").write_text(json.dumps(about | {"finished": False}), encoding="utf-8")
+    with pytest.raises(ValueError, match=r"zoo: .*run must be a finished run, its training was stopped; resume it"):
+        zoo.publish("chair", tmp_path / "run", tmp_path / "shapes.npz", tmp_path / "again.npz")
+    assert not (tmp_path / "chair").exists()
+
+
+def test_a_publication_that_breaks_off_leaves_the_old_files(tmp_path, monkeypatch):
+    monkeypatch.setattr(zoo, "HERE", tmp_path)
+    monkeypatch.setattr(zoo, "card", lambda *_: "new")
+    monkeypatch.setattr(zoo, "finished", lambda _: True)
+    (tmp_path / "chair").mkdir()
+    (tmp_path / "chair" / "config.json").write_text("old", encoding="utf-8")
+    (tmp_path / "run").mkdir()
+    (tmp_path / "run" / "config.json").write_text("new", encoding="utf-8")
+
+    def half(source, target):
+        Path(target).write_text("ne", encoding="utf-8")
+        raise OSError("no space left")
+
+    monkeypatch.setattr(zoo.shutil, "copy", half)
+    with pytest.raises(OSError, match="no space left"):
+        zoo.publish("chair", tmp_path / "run", tmp_path / "shapes.npz", tmp_path / "again.npz")
+    assert [path.name for path in (tmp_path / "chair").iterdir()] == ["config.json"]
+    assert (tmp_path / "chair" / "config.json").read_text(encoding="utf-8") == "old"

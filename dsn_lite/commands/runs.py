@@ -1,14 +1,18 @@
 """What commands are told, and the run folders and files that they mean."""
 
+from collections.abc import Sequence
+from math import isclose
 from pathlib import Path
 from typing import Annotated
 
 from tyro.conf import Positional, arg
 
 from .. import zoo
+from ..config import some
+from ..data import Frame
 from ..files import load_shapes
 from ..runs import load_run, read_config
-from ..shapes import Shapes
+from ..shapes import FEWEST, Shapes
 from ..space import DeformSyncNet
 
 Run = Positional[Annotated[str, arg(metavar="RUN")]]
@@ -37,9 +41,47 @@ def space_of(run: str) -> DeformSyncNet:
     return load_run(folder_of(run))
 
 
-def held_out(shapes: Shapes, run: str, all: bool) -> Shapes:
-    """The shapes that a run with this seed did not see."""
+def held_out(files: Sequence[Path], run: str, family: str | None, all: bool) -> list[Shapes]:
+    """What a run did not see of its file, and the same shapes of further samplings; of one family, if one is told.
+
+    The file is split before the family is taken, for a run of the whole file has seen the rest; where the run's frame
+    says that it was trained on this family alone, the family is split. Raises ValueError where too few are left.
+    """
+    collections = [load_shapes(file) for file in files]
+    _check_counts(files, [len(shapes) for shapes in collections])
     if all:
-        return shapes
-    config, _ = read_config(folder_of(run))
-    return shapes.split(config.seed)[2]
+        return [shapes if family is None else shapes.of_family(family) for shapes in collections]
+    config, frame = read_config(folder_of(run))
+    if family is not None and _trained_on(collections[0].of_family(family), config.seed, frame):
+        collections, family = [shapes.of_family(family) for shapes in collections], None
+    held = [_test_rows(shapes, config.seed, family) for shapes in collections]
+    count = len(held[0])
+    if count < 3:
+        raise ValueError(
+            f"held out: at least 3 shapes are needed to measure, got {count}: only what was held out of {files[0]} was "
+            "taken; bring more shapes, or give --all for a file that the space was not trained on"
+        )
+    return held
+
+
+def _check_counts(files: Sequence[Path], counts: list[int]) -> None:
+    if counts[-1] != counts[0]:
+        raise ValueError(
+            f"evaluate: --again must hold the {counts[0]} shapes of {files[0]}, got {counts[-1]}; resample that file"
+        )
+
+
+def _trained_on(shapes: Shapes, seed: int, frame: Frame) -> bool:
+    """Whether the frame of a run is that of the training shapes among these."""
+    if len(shapes) < sum(FEWEST):
+        return False
+    return isclose(Frame.of(some(shapes, shapes.rows(seed)[0])).size, frame.size, rel_tol=1e-5)
+
+
+def _test_rows(shapes: Shapes, seed: int, family: str | None) -> Shapes:
+    if len(shapes) < sum(FEWEST):
+        return shapes[:0]
+    held = shapes[shapes.rows(seed)[2]]
+    if family is None:
+        return held
+    return held.of_family(family) if family in held.family_names else held[:0]

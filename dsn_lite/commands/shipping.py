@@ -1,20 +1,18 @@
 """zoo and build: what the repository ships."""
 
 from pathlib import Path
-from typing import Literal
+from typing import Annotated, Literal
 
-from tyro.conf import Positional
+from tyro.conf import Positional, arg
 
 from .. import build as building
 from .. import zoo
 
+REBUILD = f"The space to make again, by the recipe of its card: {', '.join(zoo.RECIPES)}."
 
-def show_zoo(*, rebuild: str | None = None) -> None:
-    """List the ready-made spaces, or train one again from nothing.
 
-    Args:
-        rebuild: Name of the space to make again, by the recipe of its card.
-    """
+def show_zoo(*, rebuild: Annotated[str | None, arg(metavar="NAME", help=REBUILD)] = None) -> None:
+    """List the ready-made spaces, or train one again from nothing."""
     if rebuild is not None:
         print(zoo.rebuild(rebuild))
         return

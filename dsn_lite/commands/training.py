@@ -3,12 +3,14 @@
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Literal
 
 from tyro.conf import OmitArgPrefixes, Positional, arg
 
 from .. import train as training
-from ..config import Config
+from ..checkpoints import load_history
+from ..config import CHOICES, Config
+from ..runs import finished
 from ..training import Record
 from .runs import File, shapes_of
 
@@ -16,6 +18,17 @@ from .runs import File, shapes_of
 @dataclass(frozen=True)
 class Settings(Config):
     """What the training is told."""
+
+    mirror: Literal[CHOICES["mirror"][0]] = Config.mirror
+    """Axis across which the symmetry loss mirrors shapes."""
+    norm: Literal[CHOICES["norm"][0]] = Config.norm
+    """Norm in the sparsity loss; paper: l21."""
+    unit: Literal[CHOICES["unit"][0]] = Config.unit
+    """Unit length in the sparsity loss: of whole columns, as in the paper, or of what handles see."""
+    vector: Literal[CHOICES["vector"][0]] = Config.vector
+    """Difference of two codes, or concat, the ablation that reads both shapes together."""
+    columns: Literal[CHOICES["columns"][0]] = Config.columns
+    """Columns have root mean square 1 over the points (rms), or length 1 as in the paper (unit)."""
 
     def __post_init__(self) -> None:
         """Checked when it becomes a Config: tyro would frame the sentence."""
@@ -33,7 +46,7 @@ def train(
     """Train a deformation space on the shapes of a sample file. Ctrl-C stops and keeps the best weights so far.
 
     Args:
-        file: A sample file (.npz), as python -m data_gen generate writes it.
+        file: A sample file (.npz) or a folder of shards, as python -m data_gen generate writes them.
         out: The run folder to write.
         config: What the training is told.
         family: Take only the shapes of this family, where the file holds several.
@@ -43,7 +56,7 @@ def train(
     told = Config(**asdict(config))
     shapes = shapes_of(file, family)
     training(shapes, told, out=out, resume=resume, watch=lambda _, record: records.append(record))
-    print(f"{out}: {_summary(records)}")
+    print(f"{out}: {_summary(records, out)}")
 
 
 def sweep(
@@ -79,8 +92,11 @@ def sweep(
     return 1 if "failed" in states else 130 if "stopped" in states else 0
 
 
-def _summary(records: Sequence[Record]) -> str:
+def _summary(records: Sequence[Record], out: Path) -> str:
     """Where a training ended: best and last look at the validation shapes."""
+    if not records and finished(out):
+        last = load_history(out)[-1]
+        return f"had reached its end already, at step {last['step']} after {last['seconds']:.1f} s; nothing was trained"
     if not records:
         return "stopped before the first look at the validation shapes"
     best, last = min(records, key=lambda record: record.validation_cd), records[-1]

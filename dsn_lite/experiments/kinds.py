@@ -65,7 +65,7 @@ class Run:
 
     @property
     def training(self) -> dict[str, Any]:
-        """All that decides what the trained space is, as JSON has it; the device does not."""
+        """All that a training is told, as JSON has it, but for the device. That code has changed is not noticed."""
         told = {"data": asdict(self.data), "config": asdict(self.config) | {"device": "cpu"}}
         hooks = {"prepare": self.prepare, "watch": self.watch}
         told |= {name: hook.__name__ for name, hook in hooks.items() if hook}
@@ -73,7 +73,7 @@ class Run:
 
     @property
     def settings(self) -> dict[str, Any]:
-        """All that decides what its figures are, as JSON has it."""
+        """All that training and measuring are told, as JSON has it. That code has changed since is not noticed."""
         return self.training | {"how": json.loads(json.dumps(self.how))}
 
 

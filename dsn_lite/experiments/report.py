@@ -23,7 +23,8 @@ or all, it makes what is missing. This page is generated from the figures in [re
 A figure is the mean over seeds ± their standard deviation; a seed draws the weights, the split and the batches. All are
 of shapes held out. Chamfer distances (CD) are squared, both directions summed, in the unit of the shapes, which lie in
 [-0.5, 0.5]; the sampling floor is the CD of two samplings of the same shape. The paper's shapes are those of ShapeNet:
-compare orders and trends with it, not values."""
+compare orders and trends with it, not values. A run is made again where it is told other things; that
+the code has changed since is not noticed."""
 
 
 def stored(name: str, folder: Path = HERE) -> Results:

@@ -13,6 +13,11 @@ def deviation(values: Sequence[Number]) -> float:
     return stdev(values) if len(values) > 1 else 0.0
 
 
+def within_spread(differences: Sequence[Number]) -> bool:
+    """Whether their mean is no further from 0 than their standard deviation; never of one seed, which has none."""
+    return len(differences) > 1 and abs(fmean(differences)) <= deviation(differences)
+
+
 def mean_and_spread(values: Sequence[Number]) -> str:
     """Mean ± standard deviation over the seeds, to the digits that the spread leaves; of one seed, its value."""
     if not values:

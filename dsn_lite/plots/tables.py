@@ -47,7 +47,7 @@ def law_table(residuals: Any, spaces: Sequence[str], laws: Sequence[str]) -> go.
 def bars(values: dict[Any, float], *, x: str, y: str) -> go.Figure:
     """One bar a choice: values by choice, x and y what the axes are called."""
     figure = go.Figure(go.Bar(x=[str(choice) for choice in values], y=list(values.values()), marker={"color": BLUE}))
-    figure.update_xaxes(title=x, type="category")
+    figure.update_xaxes(title=x, type="category", automargin=True)
     figure.update_yaxes(title=y, gridcolor=LINES, zeroline=False)
     figure.update_layout(margin={"l": 90, "r": 20, "t": 20, "b": 70})
     return dress(

@@ -40,14 +40,14 @@ def sweep(
 
     whole: one network for each file instead. dask: the address of a scheduler, whose workers then train. Ctrl-C stops
     all trainings, and each keeps its best weights. A training that fails is an Outcome. Raises ValueError before any
-    begins: jobs, files, names of files, runs of another Config, a cluster that does not answer.
+    begins: jobs, files, names of files, runs of another Config or of other shapes, a cluster that does not answer.
     """
     config, out = config or Config(), Path(out).resolve()
     if jobs is not None and jobs < 1:
         raise ValueError(f"sweep: jobs must be 1 or more, got {jobs}; leave it out to train on every core")
     planned = networks(files, out, whole=whole)
     for network in planned:
-        check_run(network.run, config)
+        check_run(network, config)
     out.mkdir(parents=True, exist_ok=True)
     if dask is None:
         jobs = min(jobs or cpu_count(), len(planned))

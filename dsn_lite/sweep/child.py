@@ -5,7 +5,7 @@ import signal
 import subprocess
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Literal
+from typing import Any, Literal
 
 from joblib import cpu_count
 
@@ -32,14 +32,28 @@ class Outcome:
 def trained(network: Network, config: Config, jobs: int | None, stop: Path) -> Outcome:
     """Trains a network as far as its folder does not hold it yet, on 1/jobs of this machine's cores (None: one core).
 
-    It is asked to stop once the file `stop` is there. Never raises: trouble is the last line that `train` said.
+    It is asked to stop once the file `stop` is there. Trouble is the last line that `train` said; nothing is raised for
+    it, nor for a process that cannot start or files that cannot be written or read: joblib would end the whole sweep.
     """
+    try:
+        return _trained(network, config, jobs, stop)
+    except ValueError as trouble:
+        return Outcome(network.run.name, "failed", trouble=str(trouble))
+    except OSError as trouble:
+        sentence = (
+            f"sweep: its process must start and its folder be written, that failed ({trouble}); train fewer at once"
+        )
+        return Outcome(network.run.name, "failed", trouble=sentence)
+
+
+def _trained(network: Network, config: Config, jobs: int | None, stop: Path) -> Outcome:
     if finished(network.run):
         return outcome(network, "skipped")
     if stop.exists():
         return outcome(network, "stopped")
     cores = cpu_count()
     resume = (network.run / FILE).is_file()
+    network.sign()
     code, said = run(network.command(config, resume=resume), max(1, cores // (jobs or cores)), stop)
     if code == 0 and finished(network.run):
         return outcome(network, "done")
@@ -72,14 +86,23 @@ def run(command: list[str], threads: int, stop: Path) -> tuple[int, str]:
 
 
 def outcome(network: Network, state: str, trouble: str = "") -> Outcome:
-    """A state, and what the history of the run says."""
-    name, looks = network.run.name, []
-    if (network.run / HISTORY).is_file():
-        looks = load_history(network.run)
+    """A state, and what the history of the run says. Raises ValueError where that is broken."""
+    name, looks = network.run.name, _history(network.run)
     if not looks:
         return Outcome(name, state, trouble=trouble)
     best = min(look["validation_cd"] for look in looks)
     return Outcome(name, state, looks[-1]["step"], looks[-1]["seconds"], best, trouble)
+
+
+def _history(run: Path) -> list[dict[str, Any]]:
+    if not (run / HISTORY).is_file():
+        return []
+    try:
+        return load_history(run)
+    except ValueError:
+        raise ValueError(
+            f"sweep: {run / HISTORY} must be a JSON object a line, it is broken; take the folder away to train again"
+        ) from None
 
 
 def _interrupt(process: subprocess.Popen) -> None:

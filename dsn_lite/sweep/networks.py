@@ -1,13 +1,21 @@
 """The networks of a sweep: one for each family of each file, or for each file, and what `train` is told for it."""
 
+import json
 import sys
 from collections.abc import Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, field, fields
+from hashlib import sha256
 from pathlib import Path
+from typing import Any
 
+from ..checkpoints import FILE as CHECKPOINT
 from ..config import Config
-from ..files import load_shapes
+from ..files import beside, load_shapes
 from ..runs import read_config
+from ..shapes import Shapes
+
+SOURCE = "source.json"  # in a run folder: what it was trained on
+LOOKED_AT = 1000  # shapes that a fingerprint is taken of
 
 
 @dataclass(frozen=True)
@@ -17,6 +25,18 @@ class Network:
     run: Path
     file: Path
     family: str | None = None
+    shapes: dict[str, Any] = field(default_factory=dict, compare=False)  # the fingerprint of those in the file
+
+    @property
+    def source(self) -> dict[str, Any]:
+        """What its run folder tells of the shapes it learns from; a file may lie elsewhere by then."""
+        return {"family": self.family, **self.shapes}
+
+    def sign(self) -> None:
+        """Writes into its run folder what it learns from."""
+        self.run.mkdir(parents=True, exist_ok=True)
+        text = json.dumps({"file": str(self.file), **self.source}, indent=2) + "\n"
+        beside(self.run / SOURCE, lambda part: part.write_text(text, encoding="utf-8"))
 
     def command(self, config: Config, *, resume: bool) -> list[str]:
         """What trains it, in a process of its own."""
@@ -28,11 +48,11 @@ class Network:
 def words(config: Config) -> list[str]:
     """The options of the command line that say what a Config says, where it is not the default."""
     said = []
-    for field in fields(config):
-        value, name = getattr(config, field.name), field.name.replace("_", "-")
-        if isinstance(value, bool) and value != field.default:
+    for each in fields(config):
+        value, name = getattr(config, each.name), each.name.replace("_", "-")
+        if isinstance(value, bool) and value != each.default:
             said += [f"--{name}" if value else f"--no-{name}"]
-        elif value != field.default:
+        elif value != each.default:
             said += [f"--{name}", *map(str, value if isinstance(value, tuple) else (value,))]
     return said
 
@@ -58,21 +78,53 @@ def networks(files: Sequence[Path], out: Path, *, whole: bool = False) -> list[N
 
 
 def _of_file(file: Path, out: Path, whole: bool) -> list[Network]:
-    families = load_shapes(file).family_names
+    shapes = load_shapes(file)
+    families, known = shapes.family_names, fingerprint(shapes)
     if whole or len(families) < 2:
-        return [Network(out / (file.name if file.is_dir() else file.stem), file)]
-    return [Network(out / family.replace("/", "_"), file, family) for family in families]
+        return [Network(out / (file.name if file.is_dir() else file.stem), file, shapes=known)]
+    return [Network(out / family.replace("/", "_"), file, family, known) for family in families]
 
 
-def check_run(run: Path, config: Config) -> None:
-    """Raises ValueError where a folder holds a run that was told something else: it would pass for one of these."""
+def fingerprint(shapes: Shapes) -> dict[str, Any]:
+    """How many shapes (N, n, 3) there are, and a hash of the points of up to 1000 of them, evenly spread."""
+    N, n, _ = shapes.points.shape
+    seen = shapes.points[:: N // LOOKED_AT + 1].float().cpu().contiguous().numpy()
+    return {"shapes": N, "points": n, "sha256": sha256(seen.tobytes()).hexdigest()}
+
+
+def check_run(network: Network, config: Config) -> None:
+    """Raises ValueError where a folder holds a run of something else: it would pass for this network.
+
+    A run of which nothing tells what it was trained on, as `train` leaves it, is taken for one of this file.
+    """
+    run = network.run
+    if (run / SOURCE).is_file() and any((run / name).is_file() for name in ("config.json", CHECKPOINT)):
+        _check_source(network)
     if not (run / "config.json").is_file():
         return
     before = read_config(run)[0]
-    for field in fields(config):
-        old, new = getattr(before, field.name), getattr(config, field.name)
+    for each in fields(config):
+        old, new = getattr(before, each.name), getattr(config, each.name)
         if old != new:
             raise ValueError(
-                f"sweep: {run} must hold a run of the same Config, its {field.name} is {old} instead of {new}; "
+                f"sweep: {run} must hold a run of the same Config, its {each.name} is {old} instead of {new}; "
                 "sweep into another folder"
             )
+
+
+def _check_source(network: Network) -> None:
+    told = _told(network.run / SOURCE)
+    if {name: told.get(name) for name in network.source} != network.source:
+        raise ValueError(
+            f"sweep: {network.run} must hold a run of the shapes that {network.file} holds now, it was trained on "
+            f"others (of {told.get('file')}); sweep into another folder, or take that run away"
+        )
+
+
+def _told(file: Path) -> dict[str, Any]:
+    try:
+        return dict(json.loads(file.read_text(encoding="utf-8")))
+    except (ValueError, TypeError):
+        raise ValueError(
+            f"sweep: {file} must tell what a run was trained on, it is broken; take that run away, to train it again"
+        ) from None

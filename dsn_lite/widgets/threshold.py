@@ -8,6 +8,7 @@ import numpy as np
 import plotly.graph_objects as go
 from plotly.subplots import make_subplots
 
+from ..plots.laws import LEGEND
 from ..plots.look import FONT, GREY, LINES, PALETTE, dress
 from .guard import Notice
 
@@ -80,13 +81,13 @@ class ThresholdSlider(ipywidgets.VBox):
         figure.update_xaxes(gridcolor=LINES, zeroline=False, linecolor=GREY)
         figure.update_yaxes(gridcolor=LINES, zeroline=False, range=self._range())
         figure.update_yaxes(title=self.choice.value, row=1, col=1)
-        legend = {"x": 1.01, "xanchor": "left", "y": 1, "font": {"size": FONT["size"] - 3}}
-        figure.update_layout(legend=legend, margin={"l": 80, "r": 20, "t": 20, "b": 70})
-        return dress(figure, self._said(cost), width=980, height=430)
+        legend = LEGEND | {"font": {"size": FONT["size"] - 3}}
+        figure.update_layout(legend=legend, margin={"l": 80, "r": 20, "t": 90, "b": 70})
+        return dress(figure, self._said(cost), width=840, height=460)
 
     def _range(self) -> list[float]:
         """From zero to a little above the highest value of the quantity."""
-        return [0, 1.05 * max(max(curve.values()) for curve in self.curves.values()) or 1.0]
+        return [0.0, 1.05 * max(max(curve.values()) for curve in self.curves.values()) or 1.0]
 
     def _said(self, cost: str) -> str:
         told = ", ".join(f"{name} {value:.3g} for {self.costs[name]:.3g}" for name, value in self.values.items())

@@ -4,9 +4,11 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from functools import partial
 from pathlib import Path
 
-from ..runs import load_run
+from ..files import beside
+from ..runs import finished, load_run
 from ..space import DeformSyncNet
 from .cards import card
 from .recipes import RECIPES, Recipe
@@ -44,14 +46,21 @@ def rebuild(name: str) -> Path:
 
 
 def publish(name: str, run: Path, file: Path, again: Path) -> Path:
-    """Measures a run that was trained by its recipe, writes its card and puts both in their place."""
-    text = card(name, RECIPES[name], run, file, again)
-    (HERE / name).mkdir(exist_ok=True)
+    """Measures a run that was trained by its recipe, writes its card and puts both in their place.
+
+    Raises ValueError where the training did not reach its end.
+    """
+    if not finished(run):
+        raise ValueError(f"zoo: {run} must be a finished run, its training was stopped; resume it to its end first")
+    text, place = card(name, RECIPES[name], run, file, again), HERE / name
+    place.mkdir(exist_ok=True)
     for part in FILES:
-        shutil.copy(run / part, HERE / name / part)
-    (HERE / name / "card.md").write_text(text, encoding="utf-8")
-    return HERE / name
+        beside(place / part, partial(shutil.copy, run / part))
+    beside(place / "card.md", partial(Path.write_text, data=text, encoding="utf-8"))
+    return place
 
 
 def _python(*arguments: object) -> None:
-    subprocess.run([sys.executable, *map(str, arguments)], check=True)
+    told = [*map(str, arguments)]
+    if code := subprocess.run([sys.executable, *told], check=False).returncode:
+        raise ValueError(f"zoo: python {' '.join(told)} must end well, got exit code {code}; see what it said above")

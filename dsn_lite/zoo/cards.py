@@ -19,7 +19,7 @@ WORST = 5  # families that are named
 def card(name: str, recipe: Recipe, run: Path, file: Path, again: Path) -> str:
     """The text of a card."""
     seed, space = read_config(run)[0].seed, load_run(run)
-    held_out, second = (load_shapes(path).split(seed)[2] for path in (file, again))
+    held_out, second = (shapes[shapes.rows(seed)[2]] for shapes in map(load_shapes, (file, again)))
     result, last = evaluate(space, held_out, again=second, pairs=PAIRS), load_history(run)[-1]
     ratio = f"{result.parallelogram_cd / result.fitting_cd:.2f} times that of fitting"
     size = f"{len(held_out)} shapes held out, of {held_out.points.shape[1]} points"
@@ -77,7 +77,12 @@ def _dictionary(space: DeformSyncNet, held_out: Shapes) -> str:
     dead = len(modes.dead_columns(space.dictionary(x), space.vector(x, y)))
     untrained = modes.quiet_share(modes.read(space.untrained(), few))
     quiet = f"{modes.quiet_share(reading):.0%} are below 1 % of the shape's largest (untrained: {untrained:.0%})"
-    return f"Of the elements of B+F(x) {quiet}.\n{dead} of the k = {space.dictionary.k} columns move nothing.\n"
+    seen = f"Handles see {reading.inside.mean():.0%} of the columns' squared length"
+    hidden = "; the rest are ripples within parts, so turn the dictionary with `modes.local_basis` before you read it"
+    return (
+        f"Of the elements of B+F(x) {quiet}.\n{seen}{hidden if reading.inside.mean() < 0.5 else ''}.\n"
+        f"{dead} of the k = {space.dictionary.k} columns move nothing.\n"
+    )
 
 
 def _families(space: DeformSyncNet, held_out: Shapes, second: Shapes) -> str:
