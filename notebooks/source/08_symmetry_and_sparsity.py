@@ -49,8 +49,8 @@ plots.bars({name.removeprefix("sofa/"): value for name, value in found.items()},
 #
 # ## 2 With and without
 #
-# What the loss costs is time: the deformed shape meets its own mirror image, one more search for nearest neighbours a step. In milliseconds, without it and with it, the fastest of
-# twenty steps, taken in turns:
+# What does the loss cost? $\mathcal{L}_F$ has a search tree of the deformed shape already; $\mathcal{L}_R$ asks it once more, for the mirror image, and not twice (exercise 1). In milliseconds a step,
+# without it and with it, the fastest of twenty, taken in turns:
 
 # %%
 import time
@@ -81,8 +81,7 @@ def trained(symmetry):
 free, mirrored = trained(0), trained(1)
 
 # %% [markdown]
-# The Chamfer distance hides the difference under its floor, but
-# $\mathcal{F}$ can be asked at *any* place, also at the mirror image of a point. A deformation that keeps the symmetry moves the image as the image of how it moves the point.
+# The Chamfer distance hides the difference under its floor, but $\mathcal{F}$ can be asked at *any* place, also at the mirror image of a point. A deformation that keeps the symmetry moves the image as the image of how it moves the point.
 
 
 # %%
@@ -376,7 +375,7 @@ checks.accepted(w, lambda w: [] if torch.allclose(twins @ w, A @ v, atol=1e-3) e
 # %% [markdown]
 # ## Take-away
 #
-# - The mirror loss has a floor, costs a search a step, and keeps deformations from leaning to one side. Whether a shape is symmetric it must be told.
+# - The mirror loss has a floor, costs one search a step, and keeps deformations from leaning to one side. Whether a shape is symmetric it must be told.
 # - $l_1$ makes zeros among elements, $l_{2,1}$ among columns. Columns that are normalised first cannot become zero, so of $l_{2,1}$ there remains a preference for cheap motions.
 # - A loss on columns of $B^+\mathcal{F}(x)$ can be lowered without making one deformation different. Look at what is used, not at what is there.
 #
