@@ -48,6 +48,7 @@ LESSON = "notebooks/00_start_here.ipynb"
 CPU_WHEELS = "https://download.pytorch.org/whl/cpu"
 PATIENCE = 20  # seconds for the CPU wheels' index to answer; a download that has begun may take its time
 ROOM = 2e9  # bytes: .venv, and the wheels while they are unpacked
+WORKERS = min(4, os.cpu_count() or 1)  # test processes side by side; each needs a core, and up to 1 GB of memory
 HERE = urllib.request.build_opener(urllib.request.ProxyHandler({}))  # no proxy leads to this computer itself
 FOUND = re.compile(r"^\s*(Downloading|Using cached|Processing|Installing|Requirement already)", re.M)
 # JupyterLab's own settings: no question about news on top of the lesson, and no calls to the network
@@ -496,12 +497,18 @@ def execute(kernel, code):
 def test():
     """Lint, tests, notebooks, browser; prints a table, reasons of skips and the counts; returns the exit code."""
     prepare(tests=True)
-    results = [lint(), pytest_stage("tests", ["tests", "--ignore=tests/browser", "--ignore=tests/test_notebooks.py"])]
-    lessons = sorted(str(path.relative_to(ROOT)) for path in (ROOT / "notebooks").glob("*.ipynb"))
-    results.append(pytest_stage("notebooks", ["--nbmake", "--nbmake-timeout=300", *lessons, "tests/test_notebooks.py"]))
-    if (ROOT / "tests" / "browser").is_dir():
-        results.append(pytest_stage("browser", ["tests/browser"]))
-    return report(results)
+    # a file of tests stays in one process, which makes once what they share; lessons share nothing
+    own, lone = ["--ignore=tests/browser", "--ignore=tests/test_notebooks.py", "--dist=loadfile"], "--dist=worksteal"
+    stages = {"tests": ["tests", *own], "notebooks": [*lessons(), lone], "browser": ["tests/browser", lone]}
+    return report([lint(), *(pytest_stage(stage, arguments) for stage, arguments in stages.items())])
+
+
+def lessons():
+    """What runs the lessons without a browser: their solutions, and where there is no browser, what students open."""
+    if find_browser():  # tests/browser runs each student notebook in JupyterLab
+        return ["tests/test_notebooks.py"]
+    notebooks = sorted(str(path.relative_to(ROOT)) for path in (ROOT / "notebooks").glob("*.ipynb"))
+    return ["--nbmake", "--nbmake-timeout=300", *notebooks, "tests/test_notebooks.py"]
 
 
 def lint():
@@ -522,7 +529,7 @@ def pytest_stage(stage, arguments):
     settings = dict(os.environ, JUPYTER_PLATFORM_DIRS="1")
     settings.update(dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1"))
     settings.update({"DSN_LITE_SMOKE": "1"} if stage == "notebooks" else {})
-    command = [str(PYTHON), "-m", "pytest", "-q", f"--junitxml={xml}", *arguments]
+    command = [str(PYTHON), "-m", "pytest", "-q", f"-n{WORKERS}", f"--junitxml={xml}", *arguments]
     code = subprocess.run(command, cwd=str(ROOT), env=settings).returncode
     counts = read_counts(xml.read_text(encoding="utf-8") if xml.exists() else None)
     return {"stage": stage, "ok": code == 0, "seconds": time.monotonic() - began, **counts}

@@ -14,6 +14,7 @@ from data_gen.normalise import normalised
 from data_gen.paper_data import paper
 from data_gen.sample import Collection
 from data_gen.shards import save_shards
+from data_gen.transfers import transfers
 from data_gen.truth import true_deformation, true_transfer, valid_space
 
 __all__ = [
@@ -34,6 +35,7 @@ __all__ = [
     "save_mesh",
     "save_shards",
     "seen_from",
+    "transfers",
     "true_deformation",
     "true_transfer",
     "valid_space",

@@ -1,4 +1,4 @@
-"""The command line: python -m data_gen list | show | sheet | generate | resample | mesh | paper."""
+"""The command line: python -m data_gen list | show | sheet | generate | resample | transfers | mesh | paper."""
 
 import itertools
 import sys
@@ -91,6 +91,33 @@ def resample(
     print(f"{out}: the shapes of {file} with new samples")
 
 
+def transfers(
+    family: Annotated[Positional[str], arg(metavar="FAMILY|CATEGORY")],
+    /,
+    *,
+    count: int,
+    points: int,
+    out: Path,
+    seed: int = 0,
+    across: bool = False,
+    single: bool = False,
+) -> None:
+    """Write triplets x, y, z and their true transfers: a sample file of all x, then all y, all z, and all truths.
+
+    Args:
+        family: A family, or a category for all its families.
+        count: Number of triplets.
+        points: Points on each shape; the truth has the samples of z.
+        out: The sample file to write (.npz).
+        seed: The same seed gives the same file.
+        across: z is of another family than x and y, which differ in parameters that z has too.
+        single: y differs from x in one parameter.
+    """
+    made = data_gen.transfers(family, count=count, points=points, seed=seed, across=across, single=single)
+    data_gen.save(made, out)
+    print(f"{out}: {count} transfers of shapes of {points} points")
+
+
 def show(family: Family, /, *, out: Path | None = None, seed: int = 0, open: bool = True) -> None:
     """Write the contact sheet of a family, twelve random shapes and the sweep of each parameter, and open it.
 
@@ -180,6 +207,7 @@ COMMANDS = {
     "sheet": sheet,
     "generate": generate,
     "resample": resample,
+    "transfers": transfers,
     "mesh": mesh,
     "paper": paper,
 }

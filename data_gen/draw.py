@@ -44,8 +44,11 @@ class Source:
 
     def take(self, parameters, dtype):
         """A collection of the shapes with these parameters (N, p), of which everything is known."""
-        shared = self.sampling == SHARED
-        samples = self.common if shared else fresh(self.rig, parameters, self.points, self.streams[1:])
+        samples = self.common if self.sampling == SHARED else fresh(self.rig, parameters, self.points, self.streams[1:])
+        return self.at(samples, parameters, dtype)
+
+    def at(self, samples, parameters, dtype):
+        """The same with given samples."""
         points, rest, boxes = self.rig.sampled(samples, parameters, dtype)
         return Collection(
             points=points,

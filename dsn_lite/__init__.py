@@ -8,8 +8,10 @@ from .chamfer import chamfer
 from .config import Config
 from .data import Shapes
 from .driving import train
+from .editing import CoEditor, History, co_edit
 from .files import as_shapes, load_shapes, save_shapes
-from .handles import BoxHandles
+from .handles import BoxHandles, DenseHandles
+from .projection import EditProjector
 from .runs import load_run, save_run
 from .space import ActionSpace, AutoencoderSpace, DeformSyncNet, DoNothing, LinearSpace
 from .training import Training
@@ -19,15 +21,20 @@ __all__ = [
     "ActionSpace",
     "AutoencoderSpace",
     "BoxHandles",
+    "CoEditor",
     "Config",
     "DeformSyncNet",
+    "DenseHandles",
     "DoNothing",
+    "EditProjector",
+    "History",
     "LinearSpace",
     "Shapes",
     "Training",
     "as_shapes",
     "axioms",
     "chamfer",
+    "co_edit",
     "load",
     "load_run",
     "load_shapes",

@@ -1,4 +1,4 @@
-"""The command line: python -m dsn_lite collect | train | sweep | evaluate | axioms | deform | transfer | zoo ..."""
+"""The command line: python -m dsn_lite collect | train | evaluate | axioms | deform | transfer | edit | zoo | ..."""
 
 import sys
 from collections.abc import Sequence

@@ -12,9 +12,9 @@ from jaxtyping import Float, Int
 from scipy.spatial import cKDTree
 from torch import Tensor
 
-from .batch_handles import BatchHandles
 from .chamfer import plant
 from .config import Config
+from .handles import BatchHandles
 from .shapes import Shapes
 from .world import World
 

@@ -27,8 +27,8 @@ def save_checkpoint(
     run.mkdir(parents=True, exist_ok=True)
     tensors = {f"now.{name}": value for name, value in space.state_dict().items()}
     tensors |= {f"best.{name}": value for name, value in best.items()}
-    for i, state in enumerate(optimizer.state.values()):
-        tensors |= {f"adam.{i}.{name}": value for name, value in state.items()}
+    for i, parameter in enumerate(space.parameters()):  # of frozen ones Adam has no moments
+        tensors |= {f"adam.{i}.{name}": value for name, value in optimizer.state.get(parameter, {}).items()}
     tensors |= {f"at.{name}": torch.tensor(value, dtype=torch.float64) for name, value in clock.items()}
     tensors["told.config"] = torch.tensor(list(told.encode()), dtype=torch.uint8)
     save_tensors(tensors, run / FILE)
@@ -54,6 +54,8 @@ def load_checkpoint(
         )
     space.load_state_dict(groups["now"])
     for i, parameter in enumerate(space.parameters()):
+        if f"{i}.step" not in groups["adam"]:
+            continue
         state = {name: groups["adam"][f"{i}.{name}"] for name in MOMENTS}
         optimizer.state[parameter] = {n: v if n == "step" else v.to(parameter.device) for n, v in state.items()}
     return groups["best"], {name: value.item() for name, value in groups["at"].items()}

@@ -116,7 +116,7 @@ def some(shapes: Shapes, rows: slice | Tensor = slice(None)) -> Shapes:
 
 
 def _check_parts(shapes: Shapes) -> None:
-    if any(known is None for known in (shapes.labels, shapes.rest, shapes.boxes)):
+    if not shapes.has_parts:
         raise ValueError(
             "train: sparsity and project need shapes with labels, rest and boxes, these have no parts; leave both out"
         )

@@ -12,7 +12,7 @@ from tqdm.auto import tqdm
 
 from .config import Config
 from .files import as_shapes
-from .runs import save_run
+from .runs import fingerprint, save_run
 from .shapes import Shapes
 from .space import DeformSyncNet
 from .training import Record, Training
@@ -67,8 +67,9 @@ def drive(training: Training, watch: Callable[[Training, Record], None] | None) 
         bar.close()
         training.space.load_state_dict(training.best)
         if training.run and training.history and writes:
+            probe, told = training.validation.points[:2], fingerprint(training.shapes)
             ended = training.progress >= 1
-            save_run(training.space, training.config, training.run, training.validation.points[:2], finished=ended)
+            save_run(training.space, training.config, training.run, probe, finished=ended, trained_on=told)
 
 
 def _show(bar: tqdm, training: Training, record: Record) -> None:

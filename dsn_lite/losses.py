@@ -10,8 +10,8 @@ from jaxtyping import Float
 from scipy.spatial import cKDTree
 from torch import Tensor
 
-from .batch_handles import BatchHandles
 from .chamfer import chamfer, one_way
+from .handles import BatchHandles
 from .types import Dictionary, OtherPoints, Points
 
 AXES = {"x": 0, "y": 1, "z": 2}

@@ -11,10 +11,10 @@ import torch
 from jaxtyping import Float
 from torch import Tensor
 
-from .batch_handles import BatchHandles
 from .chamfer import chamfer
 from .data import Shapes, triplets, true_deformation, true_transfer
 from .files import as_shapes
+from .handles import BatchHandles
 from .space import ActionSpace, DoNothing
 from .types import Points
 
@@ -33,11 +33,6 @@ def floor(shapes: Shapes, again: Shapes) -> float:
 def rms(u: Points) -> float:
     """Root mean square length of offsets, over points and batch, in the unit of the points."""
     return u.square().sum(-1).mean().sqrt().item()
-
-
-def mean_square(u: Points) -> Float[Tensor, ""]:
-    """Mean squared length of offsets."""
-    return u.square().sum(-1).mean()
 
 
 @dataclass(frozen=True, repr=False)

@@ -78,7 +78,8 @@ class DictionaryPredictor(nn.Module):
     ):
         super().__init__()
         self.k, self.columns = k, columns
-        self.local = perceptron((3, *local))
+        # ends in an activation: without it, a single width would make every feature of a point affine in its place
+        self.local = nn.Sequential(perceptron((3, *local)), nn.LeakyReLU(0.2, inplace=True))
         self.features = Features((local[-1], *features))
         self.from_local = nn.Linear(local[-1], head[0])
         self.from_global = nn.Linear(features[-1], head[0], bias=False)

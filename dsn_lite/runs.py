@@ -6,6 +6,7 @@ Files are written beside and then renamed, so a machine that stops leaves the ol
 
 import json
 from dataclasses import asdict
+from math import isclose
 from pathlib import Path
 from typing import Any
 
@@ -16,25 +17,50 @@ from safetensors import SafetensorError
 from safetensors.torch import load_file, save
 from torch import Tensor
 
-from .config import Config, check_device, network
+from .config import Config, check_device, network, some
 from .data import Frame
 from .files import beside
+from .shapes import Shapes
 from .space import DeformSyncNet
 
 PROBE_TOLERANCE = 1e-4  # sums of float32 differ in their last digits between machines
+SAME = 1e-7  # relative: fingerprints made on two machines differ by less, those of two samplings by some 1e-4
+
+
+def fingerprint(shapes: Shapes) -> float:
+    """A number that tells shapes from others, from the same in another order and from the same sampled again.
+
+    The mean of i times the mean square of x_i, of at most 1000 shapes, evenly spread; in squared units of the file.
+    """
+    sizes = some(shapes).points.double().square().mean((1, 2)).cpu()
+    return (sizes * torch.arange(1, len(sizes) + 1)).mean().item()
+
+
+def same_shapes(one: float, other: float) -> bool:
+    """Whether two fingerprints are of the same shapes."""
+    return isclose(one, other, rel_tol=SAME)
 
 
 def save_run(
-    space: DeformSyncNet, config: Config, run: str | Path, probe: Float[Tensor, "2 n 3"], *, finished: bool = True
+    space: DeformSyncNet,
+    config: Config,
+    run: str | Path,
+    probe: Float[Tensor, "2 n 3"],
+    *,
+    finished: bool = True,
+    trained_on: float | None = None,
 ) -> None:
-    """Writes config, weights and the probe d(x -> y) of two shapes x, y into the folder `run`."""
+    """Writes config, weights and the probe d(x -> y) of two shapes x, y into the folder `run`.
+
+    trained_on: the fingerprint of the shapes, split and all, so that those held out can be told from those seen.
+    """
     run, (x, y) = Path(run), probe.float().cpu()
     run.mkdir(parents=True, exist_ok=True)
     space = space.cpu()
     with torch.no_grad():
         save_tensors({"x": x, "y": y, "deformed": space.deform(x, y)}, run / "probe.safetensors")
     save_tensors(space.state_dict(), run / "model.safetensors")
-    about = {"config": asdict(config), "frame": asdict(space.frame), "finished": finished}
+    about = {"config": asdict(config), "frame": asdict(space.frame), "fingerprint": trained_on, "finished": finished}
     beside(run / "config.json", lambda path: path.write_text(json.dumps(about, indent=2) + "\n", encoding="utf-8"))
     space.to(config.device)
 
@@ -97,12 +123,23 @@ def load_tensors(path: Path, run: Path) -> dict[str, Tensor]:
 
 def read_config(run: Path) -> tuple[Config, Frame]:
     """What a run was told, and the frame of its shapes. Raises FileNotFoundError or ValueError in one sentence."""
+    return _read(run)[:2]
+
+
+def read_fingerprint(run: Path) -> float | None:
+    """The fingerprint of what a run was trained on, None for runs that keep none. Raises as `read_config` does."""
+    return _read(run)[2]
+
+
+def _read(run: Path) -> tuple[Config, Frame, float | None]:
     path = run / "config.json"
     if not path.is_file():
         raise FileNotFoundError(f"load_run: {run} must hold config.json, it does not; is it a run folder?")
     try:
         about = json.loads(path.read_text(encoding="utf-8"))
-        return Config.from_json(about["config"]), Frame(**about["frame"] | _tuples(about["frame"]))
+        config, known = Config.from_json(about["config"]), about.get("fingerprint")
+        frame = Frame(**about["frame"] | _tuples(about["frame"]))
+        return config, frame, None if known is None else float(known)
     except (ValueError, KeyError, TypeError, AttributeError) as trouble:
         raise ValueError(f"load_run: {path} must be the config of a run ({trouble!r}); copy the run again") from None
 

@@ -49,12 +49,16 @@ class Shapes:
         return bool(self.about.get("corresponds", False)) and self.families is None
 
     @property
+    def has_parts(self) -> bool:
+        """True where labels, rest and boxes are known: what the handles of parts are made of."""
+        return all(known is not None for known in (self.labels, self.rest, self.boxes))
+
+    @property
     def truth_is_known(self) -> bool:
         """True where boxes tell the true deformations: one family of parts that keep their form, every point in one."""
-        rigs, told = self.about.get("rigs", {}).values(), (self.labels, self.rest, self.boxes)
-        if self.families is not None or any(one is None for one in told):
+        if self.families is not None or not self.has_parts:
             return False
-        forms_stay = all(rig.get("by_boxes", True) for rig in rigs)
+        forms_stay = all(rig.get("by_boxes", True) for rig in self.about.get("rigs", {}).values())
         return forms_stay and bool((self.labels >= 0).all()) and bool(self.boxes.isfinite().all())
 
     @property

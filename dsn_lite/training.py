@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from copy import deepcopy
 from dataclasses import asdict, dataclass
 from functools import cached_property
-from math import cos, isclose, pi
+from math import cos, pi
 from pathlib import Path
 
 import numpy as np
@@ -19,14 +19,15 @@ import torch
 from torch import Tensor
 
 from . import losses
-from .batch_handles import BatchHandles
 from .batches import Batches
 from .chamfer import chamfer, plant
 from .checkpoints import load_checkpoint, load_history, save_checkpoint, save_history
 from .config import Config, network, some
 from .data import Frame, Shapes
 from .dictionary import column_rms, offsets
-from .modes import unused
+from .handles import BatchHandles
+from .modes import moved_by_lengths, unused
+from .runs import fingerprint, same_shapes
 from .world import World
 
 VALIDATIONS = 20  # looks at the validation shapes over a whole training
@@ -136,8 +137,7 @@ class Training:
 
         All of them then learn of it and raise together: one alone would leave the others waiting, and nothing written.
         """
-        for weights in self.space.parameters():
-            weights.grad = torch.zeros_like(weights) if weights.requires_grad else None
+        self.optimizer.zero_grad()
         try:
             loss = self.loss()
             loss.backward()
@@ -145,6 +145,8 @@ class Training:
         except FloatingPointError:
             if self.world.size == 1:
                 raise
+            for weights in self.space.parameters():  # what this process adds to those of the others
+                weights.grad = torch.zeros_like(weights) if weights.requires_grad else None
             return torch.tensor(float("nan"), device=self.device)
 
     @torch.enable_grad()
@@ -178,14 +180,15 @@ class Training:
     def validate(self) -> tuple[float, int]:
         """Mean Ch(d(x -> y), y) over fixed pairs of validation shapes, and how many columns move nothing there."""
         x = self.validation.points.float().to(self.device)
-        cds, moved = [], []
+        cds, lengths, vectors = [], [], []
         for here, there in zip(x.split(AT_ONCE), x.roll(1, 0).split(AT_ONCE), strict=True):
             A, v = self.space.dictionary(here), self.space.vector(here, there)
             deformed = here + offsets(A, v)
             self._stay_finite(deformed)
             cds.append(chamfer(deformed, there))
-            moved.append(column_rms(A) * v)
-        return torch.cat(cds).mean().item(), len(unused(torch.cat(moved).square().mean(0).sqrt()))
+            lengths.append(column_rms(A))
+            vectors.append(v)
+        return torch.cat(cds).mean().item(), len(unused(moved_by_lengths(torch.cat(lengths), torch.cat(vectors))))
 
     def _stay_finite(self, numbers: Tensor) -> None:
         if not numbers.isfinite().all():
@@ -210,7 +213,7 @@ class Training:
             self.best, self.best_cd = deepcopy(self.space.state_dict()), cd
         if self.run and self.world.writes:
             best, best_cd = (self.best, self.best_cd) if due else before
-            clock = {"step": self.step, "seconds": self.seconds, "best_cd": best_cd, **self._origin}
+            clock = {"step": self.step, "seconds": self.seconds, "best_cd": best_cd, "shapes": self._origin}
             clock["looks"] = len(self.history) if due else len(self.history) - 1
             self.run.mkdir(parents=True, exist_ok=True)
             save_history(self.run, map(asdict, self.history))
@@ -224,16 +227,13 @@ class Training:
         return json.dumps({name: value for name, value in told.items() if name not in ("seconds", "steps", "device")})
 
     @cached_property
-    def _origin(self) -> dict[str, int | float]:
-        """Numbers that tell whether two trainings see the same shapes in the same way."""
-        sizes = self.seen.points.double().square().mean((1, 2)).cpu()
-        place = torch.arange(1, len(sizes) + 1)  # of other shapes, or in another order, another number
-        shapes = (sizes * place).mean().item()
-        return {"shapes": shapes}
+    def _origin(self) -> float:
+        """A number that tells whether two trainings see the same shapes, split in the same way."""
+        return fingerprint(self.seen)
 
     def _resume(self) -> None:
         self.best, clock = load_checkpoint(self.run, self.space, self.optimizer, self._told)
-        if not all(isclose(clock[name], value) for name, value in self._origin.items()):
+        if not same_shapes(clock["shapes"], self._origin):
             raise ValueError(
                 f"train: the checkpoint in {self.run} must be of these shapes, it is of others; "
                 "resume with the file it began with"

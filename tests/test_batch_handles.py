@@ -6,9 +6,8 @@ import pytest
 import torch
 
 import data_gen
-from dsn_lite.batch_handles import BatchHandles
 from dsn_lite.files import as_shapes
-from dsn_lite.handles import BoxHandles
+from dsn_lite.handles import BatchHandles, BoxHandles
 from dsn_lite.shapes import Shapes
 
 

@@ -7,10 +7,10 @@ from worlds import TINY, randn, shapes_of
 
 import data_gen
 from dsn_lite import batches
-from dsn_lite.batch_handles import BatchHandles
 from dsn_lite.batches import Batches, crowded
 from dsn_lite.chamfer import chamfer
 from dsn_lite.files import load_shapes
+from dsn_lite.handles import BatchHandles
 from dsn_lite.losses import sparsity_l1, sparsity_l21
 from dsn_lite.shapes import Shapes
 from dsn_lite.training import Training

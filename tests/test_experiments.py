@@ -129,14 +129,15 @@ def test_more_seeds_are_more_runs_and_stay_known(lab):
     assert len(lab.stored().runs) == 4
 
 
-def test_an_interrupted_run_goes_on_where_it_was(lab, tmp_path):
-    lab.hooks = {"watch": look_on}
+@pytest.mark.parametrize("hooks", [{}, {"prepare": freeze_codes}])
+def test_an_interrupted_run_goes_on_where_it_was(lab, tmp_path, hooks):
+    lab.hooks = {"watch": look_on} | hooks
     whole = lab.reproduce("k-2")
     again = Lab(tmp_path / "again")
     again.place = running.Workplace(lab.place.cache, tmp_path / "again")
     for folder in lab.trainings:
         (lab.place.cache / "trainings" / folder).rename(tmp_path / folder)
-    again.hooks = {"watch": stopped_once(3)}
+    again.hooks = {"watch": stopped_once(3)} | hooks
     with pytest.raises(KeyboardInterrupt):
         again.reproduce("k-2")
     assert not again.stored().entries
@@ -183,8 +184,8 @@ def test_it_is_measured_on_shapes_held_out(lab):
 
 def test_shapes_that_cannot_be_made_are_one_sentence(lab):
     sentence = (
-        r"reproduce: python -m data_gen generate box/none .* must make the shapes, it failed \(.*box/none.*\); see to "
-        "that, and repeat the command"
+        r"reproduce: python -m data_gen generate box/none .* must end well, got exit code \d+; see what it said above, "
+        "and repeat"
     )
     with pytest.raises(ValueError, match=sentence):
         lab.place.shapes(Data("box/none", 24, 16))

@@ -4,8 +4,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from worlds import FAMILIES, near, randn, shapes_of, unchecked
 
+from dsn_lite.data import Shapes
 from dsn_lite.dictionary import matrix
-from dsn_lite.handles import BoxHandles
+from dsn_lite.handles import BoxHandles, DenseHandles
 
 
 def rotations(seed, P):
@@ -105,7 +106,7 @@ def test_a_handle_does_what_its_name_says():
 
 def test_a_flat_part_has_no_scale_across_and_says_so():
     points, handles = boxed(0, flat=1)
-    assert handles.dropped == ["part_0.scale.y"]
+    assert handles.dropped == ("part_0.scale.y",)
     assert len(handles.names) == 3 * 6 - 1
     near(handles.coordinates(points), handles.z0)
 
@@ -114,7 +115,7 @@ def test_a_part_without_points_has_no_handles_even_if_its_box_is_unknown():
     boxes = torch.full((2, 15), float("nan")).double()
     boxes[0] = torch.cat([torch.zeros(3), torch.eye(3).flatten(), torch.ones(3)])
     handles = BoxHandles(torch.zeros(30).long(), randn(0, 30, 3), boxes, ("top", "leg"))
-    assert handles.dropped == [f"leg.{kind}.{axis}" for kind in ("translation", "scale") for axis in "xyz"]
+    assert handles.dropped == tuple(f"leg.{kind}.{axis}" for kind in ("translation", "scale") for axis in "xyz")
     assert [name for name in handles.names if not name.startswith("top.")] == []
     near(handles.coordinates(handles.offsets(handles.z0)), handles.z0)
     assert handles.project(randn(1, 30, 3)).isfinite().all()
@@ -125,13 +126,108 @@ def test_generated_shapes_are_B_z0(family):
     shapes = shapes_of(family, 2, 300, dtype="float64")
     handles = BoxHandles(shapes.labels[1], shapes.rest[1], shapes.boxes[1], shapes.part_names)
     near(handles.offsets(handles.z0), shapes.points[1])
-    assert handles.names[:2] == [f"{shapes.part_names[0]}.translation.{axis}" for axis in "xy"]
+    assert handles.names[:2] == tuple(f"{shapes.part_names[0]}.translation.{axis}" for axis in "xy")
 
 
 @pytest.mark.parametrize(
-    ("labels", "rest", "boxes"), [((3,), (4, 3), (1, 15)), ((4,), (4, 3), (1, 14)), ((4,), (4, 3), (0, 15))]
+    ("labels", "rest", "boxes", "names", "said"),
+    [
+        ((3,), (4, 3), (1, 15), None, r"labels must be \(n,\), .* and rest \(n, 3\), got \(3,\) and \(4, 3\); take"),
+        ((4,), (4, 3), (1, 14), None, r"boxes must be \(P, 15\), got \(1, 14\); take one shape's"),
+        ((4,), (4, 3), (0, 15), None, r"labels must be below the 0 parts, got 0; take one shape's"),
+        ((4,), (4, 3), (2, 15), ("leg",), r"part_names must be one for each of the 2 boxes, all different, got leg;"),
+        ((4,), (4, 3), (2, 15), ("leg", "leg"), r"part_names must .*, got leg, leg; number those that repeat"),
+    ],
 )
-def test_it_refuses_what_does_not_belong_together(labels, rest, boxes):
+def test_it_refuses_what_does_not_belong_together(labels, rest, boxes, names, said):
     sizes = torch.zeros(labels).long(), torch.zeros(rest), torch.zeros(boxes)
-    with pytest.raises(ValueError, match=r"BoxHandles: .* must agree, got .*; take one shape's"):
-        unchecked(BoxHandles.__init__)(object.__new__(BoxHandles), *sizes)
+    with pytest.raises(ValueError, match=f"BoxHandles: {said}"):
+        unchecked(BoxHandles.__init__)(object.__new__(BoxHandles), *sizes, names)
+
+
+def test_edges_stay_above_nothing_whatever_parts_are_called():
+    labels, boxes = torch.arange(60) % 2, torch.cat([torch.zeros(3), torch.eye(3).flatten(), 2 * torch.ones(3)])
+    handles = BoxHandles(labels, randn(0, 60, 3), boxes.double().expand(2, 15), ("a.scale.b", "top"))
+    bounded = [name for name, low in zip(handles.names, handles.lower.tolist(), strict=True) if low > -torch.inf]
+    assert bounded == [f"{part}.scale.{axis}" for part in ("a.scale.b", "top") for axis in "xyz"]
+    assert ((0 < handles.lower) & (handles.lower < 0.01) | (handles.lower == -torch.inf)).all()
+    assert (handles.upper == torch.inf).all()
+
+
+def test_at_other_points_the_same_values_place_them():
+    points, handles = boxed(0, n=60)
+    order = torch.randperm(60, generator=torch.Generator().manual_seed(0))[:25]
+    there = handles.at(handles.labels[order], handles.rest[order])
+    assert there.names == handles.names
+    near(there.offsets(there.z0), points[order])
+    near(torch.einsum("ncm,m->nc", there.B, there.z0), points[order])
+    near(handles.offsets(handles.z0), points)
+
+
+def test_at_points_of_no_part_nothing_moves():
+    _, handles = boxed(0)
+    there = handles.at(torch.tensor([-1, 2]), torch.full((2, 3), float("nan")).double())
+    moved = there.offsets(handles.z0)
+    assert there.held.tolist() == [False, True]
+    assert (moved[0] == 0).all()
+    near(moved[1], there.rotation[2] @ handles.z0.view(3, 2, 3)[2, 0])
+
+
+@pytest.mark.parametrize("labels", [[0, 3], [-2, 0]])
+def test_at_refuses_parts_that_are_not_there(labels):
+    _, handles = boxed(0)
+    with pytest.raises(ValueError, match=r"BoxHandles: labels must be .*; take one shape's"):
+        handles.at(torch.tensor(labels), torch.zeros(2, 3).double())
+
+
+@pytest.mark.parametrize("sampling", ["shared", "fresh"])
+def test_of_takes_one_shape_of_a_collection(sampling):
+    shapes = shapes_of("table/shelf", 3, 300, sampling=sampling, dtype="float64")
+    handles = BoxHandles.of(shapes, 2)
+    near(handles.offsets(handles.z0), shapes.points[2])
+    assert handles.names[0].split(".")[0] == shapes.part_names[0]
+
+
+def test_of_a_mixed_collection_lacks_what_a_family_lacks():
+    shapes = shapes_of("chair", 12, 256, dtype="float64")
+    assert len({len(BoxHandles.of(shapes, i).names) for i in range(12)}) > 1
+    for i in range(12):
+        handles = BoxHandles.of(shapes, i)
+        held = {shapes.part_names[j] for j in shapes.labels[i].unique().tolist()}
+        assert {name.rsplit(".", 2)[0] for name in handles.names} == held
+        near(handles.offsets(handles.z0), shapes.points[i])
+
+
+def test_of_points_without_parts_is_refused():
+    with pytest.raises(ValueError, match=r"BoxHandles: shapes must have labels, .* no parts; take shapes of data_gen"):
+        BoxHandles.of(Shapes(points=torch.zeros(1, 4, 3)))
+
+
+def test_a_part_of_no_thickness_has_no_edge_there_but_a_place():
+    P, n = 2, 80
+    rest, labels = randn(0, n, 3) / 4, torch.arange(n) % P
+    boxes = torch.cat([randn(1, P, 3), rotations(2, P).flatten(1), torch.tensor([[0.5, 0.0, 0.3], [0, 0, 0.2]])], 1)
+    rest = torch.where(boxes[labels, 12:] == 0, 0.0, rest)
+    handles = BoxHandles(labels, rest, boxes)
+    assert handles.dropped == ("part_0.scale.y", "part_1.scale.x", "part_1.scale.y")
+    R = boxes[labels, 3:12].unflatten(-1, (3, 3))
+    near(handles.offsets(handles.z0), boxes[labels, :3] + (R @ (boxes[labels, 12:] * rest)[..., None])[..., 0])
+    u, B = randn(3, n, 3), matrix(handles.B)
+    near(handles.project(u), (B @ (torch.linalg.pinv(B) @ u.flatten())).view(n, 3))
+
+
+def test_64_parts():
+    points, handles = boxed(0, P=64, n=64 * 9)
+    assert len(handles.names) == 64 * 6
+    near(handles.coordinates(points), handles.z0)
+    u, B = randn(1, 64 * 9, 3), matrix(handles.B)
+    near(handles.project(u), (B @ (torch.linalg.pinv(B) @ u.flatten())).view(u.shape))
+
+
+def test_box_handles_are_the_dense_handles_of_their_matrix():
+    _, handles = boxed(0, flat=2)
+    dense = DenseHandles(handles.B, handles.z0, handles.names, lower=handles.lower, upper=handles.upper)
+    u = randn(0, 40, 3)
+    near(dense.project(u), handles.project(u))
+    near(dense.coordinates(u), handles.coordinates(u))
+    near(dense.offsets(dense.z0), handles.offsets(handles.z0))

@@ -11,13 +11,14 @@ ROOT = Path(__file__).resolve().parent.parent
 ORDER = {
     "data_gen": (
         "files growing points areas part joint linear rig fits form faults families colours checks sample shards "
-        "archive draw assemble normalise make visible degrade truth handles data_sheet paper_data meshes paint sheet "
-        "gallery catalogue describe __init__ __main__"
+        "archive draw assemble normalise make transfers visible degrade truth handles data_sheet paper_data meshes "
+        "paint sheet gallery catalogue describe __init__ __main__"
     ).split(),
     "dsn_lite": (
-        "types dictionary chamfer handles pooling networks shapes batch_handles contract data files space metrics "
-        "coverage losses modes axioms config runs checkpoints world batches training driving sweep zoo __init__ byhand "
-        "meshes plots widgets diagnosis judges checks lessons build experiments commands __main__"
+        "types dictionary chamfer pooling networks shapes handles contract data files space projection metrics "
+        "coverage losses modes transfers structure editing axioms config runs checkpoints world batches training "
+        "driving processes sweep zoo __init__ byhand meshes plots widgets diagnosis judges checks lessons build "
+        "experiments commands __main__"
     ).split(),
 }
 FOREIGN = {"data_gen": {"torch", "dsn_lite"}, "dsn_lite": {"data_gen"}}  # the two meet only in the sample file

@@ -2,9 +2,9 @@ import pytest
 import torch
 from worlds import near, randn, unchecked
 
-from dsn_lite.batch_handles import BatchHandles
 from dsn_lite.chamfer import chamfer, plant
 from dsn_lite.dictionary import column_scales
+from dsn_lite.handles import BatchHandles
 from dsn_lite.losses import (
     AXES,
     fitting,

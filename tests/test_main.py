@@ -2,6 +2,7 @@
 
 import json
 import re
+import shutil
 import subprocess
 import sys
 from dataclasses import fields
@@ -19,6 +20,11 @@ from dsn_lite.config import CHOICES
 from dsn_lite.experiments import EXPERIMENTS
 
 ROOT = Path(__file__).resolve().parent.parent
+OTHERS = (
+    r"held out: .*\.npz must hold the shapes that .*run was trained on, it holds others, and what was held out of them "
+    r"nothing tells; give the file it was trained on \(and its --family, if it had one\), or --all if this file is new "
+    r"to the space$"
+)
 LITTLE = "--k 4 --batch 4 --features 8 16 --head 8 --seed 2".split()
 
 
@@ -95,6 +101,36 @@ def test_a_family_of_a_mixed_file_is_measured_on_what_the_run_did_not_see(tmp_pa
     assert capsys.readouterr().out == f"{len(held_out)} shapes of {file}\n{expected}\n"
     assert main(["axioms", out, str(file), "--family", name]) == 0
     assert capsys.readouterr().out == f"{axioms.report(load_run(out), held_out)}\n"
+
+
+def test_the_whole_of_a_file_of_which_a_run_has_seen_one_family_is_refused(tmp_path, capsys):
+    file, out = tmp_path / "mixed.npz", str(tmp_path / "run")
+    data_gen.save(data_gen.generate(("box/one", "table/four_legs"), count=120, points=16, seed=0), file)
+    assert main(["train", str(file), "--out", out, "--steps", "1", *LITTLE, "--family", "box/one"]) == 0
+    capsys.readouterr()
+    for words in ([], ["--family", "table/four_legs"]):
+        assert main(["evaluate", out, str(file), "--pairs", "5", *words]) == 2
+        assert re.match(OTHERS, capsys.readouterr().err)
+
+
+def test_the_same_shapes_in_shards_and_a_file_new_to_the_run_are_measured(folder, tmp_path):
+    data_gen.save_shards([data_gen.generate("table/four_legs", count=120, points=32, seed=0)], tmp_path / "shards")
+    assert run(folder, "evaluate", "run", str(tmp_path / "shards"), "--pairs", "5") == 0
+    assert run(folder, "evaluate", "run", "again.npz", "--pairs", "5", "--all") == 0
+
+
+def test_a_run_that_keeps_no_fingerprint_is_taken_as_it_is(folder, tmp_path, capsys):
+    out = shutil.copytree(folder / "run", tmp_path / "older")
+    about = json.loads((out / "config.json").read_text(encoding="utf-8"))
+    del about["fingerprint"]
+    (out / "config.json").write_text(json.dumps(about), encoding="utf-8")
+    assert main(["evaluate", str(out), str(folder / "again.npz"), "--pairs", "5"]) == 0
+    assert "12 shapes" in capsys.readouterr().out
+    data_gen.save(data_gen.generate("table/four_legs", count=3, points=32, seed=0), tmp_path / "few.npz")
+    assert main(["evaluate", str(out), str(tmp_path / "few.npz")]) == 2
+    words = r"held out: at least 3 shapes are needed to measure, got 0: only what was held out of .*few.npz was taken; "
+    words += "bring more shapes, or give --all for a file that the space was not trained on"
+    assert re.match(words, capsys.readouterr().err)
 
 
 def test_axioms_prints_the_report(folder, capsys):
@@ -174,11 +210,9 @@ def test_build_checks_and_writes(tmp_path, capsys):
             "load_mesh: .*nowhere.glb: there is no such file",
         ),
         (["deform", "run", "long.glb", "tall.ply", "-o", "a.fbx"], "save_mesh: .* must end in"),
-        (
-            ["evaluate", "run", "few.npz"],
-            r"held out: at least 3 shapes are needed to measure, got 0: only what was held out of .*few.npz was taken; "
-            "bring more shapes, or give --all for a file that the space was not trained on",
-        ),
+        (["evaluate", "run", "few.npz"], OTHERS),
+        (["evaluate", "run", "again.npz"], OTHERS),
+        (["axioms", "run", "again.npz", "--family", "table/four_legs"], OTHERS),
         (["axioms", "run", "plain.npz", "--family", "x"], "of_family: .* got none; leave --family x out"),
         (["reproduce", "size", "--device", "foo"], "device: must be one that torch can use here, got 'foo'"),
         (["zoo", "--rebuild", "nothing"], "zoo: there is no recipe for 'nothing'"),

@@ -82,6 +82,7 @@ def test_moved_by_columns_is_the_rms_of_what_each_column_alone_does():
     near(modes.moved_by_columns(A, v), alone.square().sum(-1).mean((1, 2)).sqrt())
     near(modes.moved_by_columns(A[0], v), modes.moved_by_columns(A[:1].expand(4, 9, 3, 5), v))  # one A, many vectors
     near(modes.moved_by_columns(A[0], v[0]), modes.moved_by_columns(A[:1], v[:1]))
+    near(modes.moved_by_lengths(A.square().sum(2).mean(1).sqrt(), v), modes.moved_by_columns(A, v))
 
 
 def test_dead_columns_are_those_that_no_vector_uses_or_that_move_nothing():

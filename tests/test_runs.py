@@ -7,9 +7,10 @@ from safetensors.torch import load_file, save_file
 from worlds import randn, shapes_of
 
 from dsn_lite.config import Config, network
-from dsn_lite.data import Frame
+from dsn_lite.data import Frame, Shapes
+from dsn_lite.driving import train
 from dsn_lite.files import beside
-from dsn_lite.runs import load_run, save_run, save_tensors
+from dsn_lite.runs import fingerprint, load_run, read_fingerprint, same_shapes, save_run, save_tensors
 
 CONFIG = Config(k=3, features=(8, 16, 32), head=(12,), steps=1)
 
@@ -40,6 +41,32 @@ def test_the_files_are_plain_and_hold_no_pickle(tmp_path):
     assert about["config"]["k"] == 3
     probe = load_file(tmp_path / "probe.safetensors")
     assert set(probe) == {"x", "y", "deformed"}
+
+
+def test_what_it_was_trained_on_is_kept_or_unknown(tmp_path):
+    written(tmp_path)
+    assert read_fingerprint(tmp_path) is None
+    shapes = shapes_of()
+    train(shapes, replace(CONFIG, batch=2), out=tmp_path / "trained")
+    assert read_fingerprint(tmp_path / "trained") == fingerprint(shapes)
+
+
+@pytest.mark.parametrize("count", [1, 7, 2500])
+def test_a_fingerprint_tells_shapes_apart(count):
+    points = randn(0, count, 8, 3, dtype=torch.float32)
+    moved = points.clone()
+    moved[0, 1, 2] += 1
+    known = fingerprint(Shapes(points))
+    assert same_shapes(known, fingerprint(Shapes(points.double() * (1 + 1e-9))))
+    others = [moved, points * (1 + 1e-6), *([points.flip(0), points[1:]] if count > 1 else [])]
+    assert not any(same_shapes(known, fingerprint(Shapes(other))) for other in others)
+
+
+def test_a_fingerprint_is_the_slow_sum():
+    points = randn(0, 2500, 4, 3)
+    looked_at = points[::3]
+    slow = sum(i * (x**2).mean().item() for i, x in enumerate(looked_at, start=1)) / len(looked_at)
+    assert same_shapes(fingerprint(Shapes(points)), slow)
 
 
 @pytest.mark.parametrize("name", ["config.json", "model.safetensors", "probe.safetensors"])
@@ -76,6 +103,7 @@ def test_a_truncated_file(name, share, tmp_path):
         '{"config": {"k": 3}, "frame": {}}',
         '{"config": [3], "frame": {}}',
         '{"config": {"k": -3}, "frame": {}}',
+        '{"config": {"k": 3}, "frame": {"n": 4, "size": 1, "share": [0], "anchor": [0]}, "fingerprint": "none"}',
     ],
 )
 def test_the_config_of_something_else(content, tmp_path):

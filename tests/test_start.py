@@ -417,6 +417,16 @@ def test_browsers_are_found_on_the_path_and_at_home(monkeypatch, tmp_path):
     assert start.find_browser("Linux") == str(edge)
 
 
+@pytest.mark.parametrize("browser", [None, "/usr/bin/chromium"])
+def test_student_notebooks_run_in_the_browser_or_where_there_is_none_without(browser, home, monkeypatch):
+    home.joinpath("notebooks").mkdir()
+    home.joinpath("notebooks", "00_start.ipynb").touch()
+    monkeypatch.setattr(start, "find_browser", lambda: browser)
+    told = start.lessons()
+    assert told[-1] == "tests/test_notebooks.py"
+    assert (str(Path("notebooks", "00_start.ipynb")) in told) == ("--nbmake" in told) == (browser is None)
+
+
 def test_help_tells_of_every_door():
     said = subprocess.run([sys.executable, start.__file__, "--help"], capture_output=True, text=True, check=True).stdout
     for door in ("--no-browser", "--port", "--check", "--from", "test", "pack"):

@@ -23,12 +23,13 @@ from joblib import cpu_count
 from worlds import TINY, shapes_of, weights
 
 import data_gen
-from dsn_lite import Config, Shapes, load_run, load_shapes, metrics, train
+from dsn_lite import Config, load_run, load_shapes, metrics, train
 from dsn_lite.__main__ import main
 from dsn_lite.checkpoints import load_history
+from dsn_lite.runs import fingerprint
 from dsn_lite.sweep import STOP, SUMMARY, child, cluster, sweep, table
 from dsn_lite.sweep.child import Outcome
-from dsn_lite.sweep.networks import SOURCE, Network, fingerprint, networks, words
+from dsn_lite.sweep.networks import SOURCE, Network, networks, words
 
 SMALL = Config(k=4, batch=4, steps=3, features=(8, 16), head=(8,), seed=2)
 FAMILIES = ("box/one", "table/four_legs")
@@ -155,6 +156,14 @@ def test_a_run_of_shapes_that_are_others_now_is_refused(swept, tmp_path):
         sweep([mixed], runs, SMALL)
 
 
+def test_a_run_of_which_nothing_tells_its_shapes_is_taken_as_it_is(swept, tmp_path):
+    runs = shutil.copytree(swept.runs, tmp_path / "runs")
+    for source in runs.glob(f"*/{SOURCE}"):
+        told = json.loads(source.read_text(encoding="utf-8"))
+        source.write_text(json.dumps({"file": told["file"], "family": told["family"]}), encoding="utf-8")
+    assert [outcome.state for outcome in sweep(swept.files[:1], runs, SMALL)] == ["skipped", "skipped"]
+
+
 def test_shapes_that_nothing_was_trained_on_may_change(several, tmp_path, monkeypatch):
     instead(monkeypatch, a="sys.exit('few')")
     assert sweep(several[:1], tmp_path / "runs", SMALL)[0].state == "failed"
@@ -162,18 +171,7 @@ def test_shapes_that_nothing_was_trained_on_may_change(several, tmp_path, monkey
     instead(monkeypatch)
     assert sweep(several[:1], tmp_path / "runs", SMALL)[0].state == "done"
     told = json.loads((tmp_path / "runs" / "a" / SOURCE).read_text(encoding="utf-8"))
-    assert (told["file"], told["shapes"], told["points"]) == (str(several[0]), 9, 8)
-
-
-@pytest.mark.parametrize("count", [1, 1000, 2500])
-def test_a_fingerprint_tells_shapes_apart(count):
-    points = torch.arange(count * 6.0).reshape(count, 2, 3)
-    other = points.clone()
-    other[0, 1, 2] += 1e-3
-    first, same, second = (fingerprint(Shapes(each)) for each in (points, points.clone(), other))
-    assert first == same
-    assert first != second
-    assert (first["shapes"], first["points"]) == (count, 2)
+    assert told == {"file": str(several[0]), "family": None, "fingerprint": fingerprint(load_shapes(several[0]))}
 
 
 # what goes wrong on the way

@@ -2,6 +2,7 @@
 
 import threading
 
+import comm
 import numpy as np
 import pytest
 import torch
@@ -34,6 +35,24 @@ def drawn(canvas, index):
 
 def moved(canvas, index, before):
     return drawn(canvas, index) - before
+
+
+def test_figures_reach_the_page_with_all_that_they_show(x, monkeypatch):
+    opened, make = {}, comm.create_comm
+
+    def listening(**message):
+        made = make(**message)
+        opened[made.comm_id] = message["data"]["state"]
+        return made
+
+    monkeypatch.setattr(comm, "create_comm", listening)
+    live = widgets.LiveTraining(x, Config(k=4, steps=6, batch=4))
+    threshold = widgets.ThresholdSlider({"elements": {"w": {0.01: 1.0, 0.1: 0.0}}}, {"w": 1.0}, cost="fitting")
+    for view in (widgets.Canvas(x[:2], titles=["a", "b"]).view, live.curve, live.canvas.view, threshold.view):
+        state = opened[view.comm.comm_id]
+        assert [trace["type"] for trace in state["_widget_data"]] == [trace.type for trace in view.data]
+        assert state["_widget_layout"]["meta"] == view.layout.meta
+        assert state["_config"]["displaylogo"] is False
 
 
 @pytest.mark.parametrize("n", [30, 10_000])

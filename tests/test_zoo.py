@@ -58,15 +58,14 @@ def test_a_rebuilt_run_is_that_of_the_commands_on_its_card(tmp_path, monkeypatch
     assert all(torch.equal(ours.state_dict()[name], value) for name, value in again.state_dict().items())
 
 
-def test_a_command_that_fails_is_one_sentence(tmp_path, monkeypatch, capfd):
+def test_a_command_that_fails_is_one_sentence(monkeypatch):
     monkeypatch.setitem(zoo.RECIPES, "spoon", zoo.Recipe("spoon --count 9 --points 8", "", "Everything."))
     with pytest.raises(
         ValueError,
-        match=r"zoo: python -m data_gen generate spoon --count 9 --points 8 --out .* must end well, got"
-        r" exit code 2; see what it said above",
+        match=r"zoo: python -m data_gen generate spoon --count 9 --points 8 --out .* must end well, got exit "
+        r"code \d+; see what it said above, and repeat",
     ):
         zoo.rebuild("spoon")
-    assert "spoon" in capfd.readouterr().err
 
 
 def test_a_run_that_was_stopped_is_not_published(tmp_path, monkeypatch):

@@ -1,6 +1,7 @@
 """The commands of python -m dsn_lite, one function each."""
 
 from .carrying import collect, deform, transfer
+from .editing import edit
 from .measuring import evaluate, report_axioms, reproduce
 from .shipping import build, show_zoo
 from .training import sweep, train
@@ -13,6 +14,7 @@ COMMANDS = {
     "axioms": report_axioms,
     "deform": deform,
     "transfer": transfer,
+    "edit": edit,
     "zoo": show_zoo,
     "reproduce": reproduce,
     "build": build,

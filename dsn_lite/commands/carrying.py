@@ -76,7 +76,7 @@ def deform(
     """
     from .. import meshes  # trimesh loads slowly, and the other commands do without
 
-    _save(meshes.deform(space_of(run), source, target, **how.told()), out)
+    save_mesh(meshes.deform(space_of(run), source, target, **how.told()), out)
 
 
 def transfer(
@@ -101,10 +101,11 @@ def transfer(
     """
     from .. import meshes
 
-    _save(meshes.transfer(space_of(run), x, y, z, **how.told()), out)
+    save_mesh(meshes.transfer(space_of(run), x, y, z, **how.told()), out)
 
 
-def _save(mesh: object, out: Path) -> None:
+def save_mesh(mesh: object, out: Path) -> None:
+    """Writes a mesh and prints where; what the format does not keep is said on stderr."""
     from .. import meshes
 
     with warnings.catch_warnings(record=True) as caught:

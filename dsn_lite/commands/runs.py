@@ -11,7 +11,7 @@ from .. import zoo
 from ..config import some
 from ..data import Frame
 from ..files import load_shapes
-from ..runs import load_run, read_config
+from ..runs import fingerprint, load_run, read_config, read_fingerprint, same_shapes
 from ..shapes import FEWEST, Shapes
 from ..space import DeformSyncNet
 
@@ -44,17 +44,20 @@ def space_of(run: str) -> DeformSyncNet:
 def held_out(files: Sequence[Path], run: str, family: str | None, all: bool) -> list[Shapes]:
     """What a run did not see of its file, and the same shapes of further samplings; of one family, if one is told.
 
-    The file is split before the family is taken, for a run of the whole file has seen the rest; where the run's frame
-    says that it was trained on this family alone, the family is split. Raises ValueError where too few are left.
+    The file is split before the family is taken, for a run of the whole file has seen the rest; where the run says that
+    it was trained on this family alone, the family is split. Raises ValueError where the run was trained on other
+    shapes, some of which this split might call held out, and where too few are left.
     """
     collections = [load_shapes(file) for file in files]
     _check_counts(files, [len(shapes) for shapes in collections])
     if all:
         return [shapes if family is None else shapes.of_family(family) for shapes in collections]
-    config, frame = read_config(folder_of(run))
-    if family is not None and _trained_on(collections[0].of_family(family), config.seed, frame):
+    seed = read_config(folder_of(run))[0].seed
+    if family is not None and _trained_on(collections[0].of_family(family), folder_of(run)):
         collections, family = [shapes.of_family(family) for shapes in collections], None
-    held = [_test_rows(shapes, config.seed, family) for shapes in collections]
+    else:
+        _check_whole(collections[0], files[0], run)
+    held = [_test_rows(shapes, seed, family) for shapes in collections]
     count = len(held[0])
     if count < 3:
         raise ValueError(
@@ -71,11 +74,24 @@ def _check_counts(files: Sequence[Path], counts: list[int]) -> None:
         )
 
 
-def _trained_on(shapes: Shapes, seed: int, frame: Frame) -> bool:
-    """Whether the frame of a run is that of the training shapes among these."""
+def _trained_on(shapes: Shapes, run: Path) -> bool:
+    """Whether a run was trained on these: by its fingerprint, or, of an older run, by the frame of its shapes."""
     if len(shapes) < sum(FEWEST):
         return False
-    return isclose(Frame.of(some(shapes, shapes.rows(seed)[0])).size, frame.size, rel_tol=1e-5)
+    if (known := read_fingerprint(run)) is not None:
+        return same_shapes(known, fingerprint(shapes))
+    config, frame = read_config(run)
+    return isclose(Frame.of(some(shapes, shapes.rows(config.seed)[0])).size, frame.size, rel_tol=1e-5)
+
+
+def _check_whole(shapes: Shapes, file: Path, run: str) -> None:
+    known = read_fingerprint(folder_of(run))
+    if known is not None and not same_shapes(known, fingerprint(shapes)):
+        raise ValueError(
+            f"held out: {file} must hold the shapes that {run} was trained on, it holds others, and what was held out "
+            "of them nothing tells; give the file it was trained on (and its --family, if it had one), or --all if "
+            "this file is new to the space"
+        )
 
 
 def _test_rows(shapes: Shapes, seed: int, family: str | None) -> Shapes:

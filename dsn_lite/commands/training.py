@@ -19,12 +19,18 @@ from .runs import File, shapes_of
 class Settings(Config):
     """What the training is told."""
 
+    symmetry: float = Config.symmetry
+    """How much a deformed shape must match its mirror image (weight of L_R); paper: 1, good for symmetric kinds."""
     mirror: Literal[CHOICES["mirror"][0]] = Config.mirror
     """Axis across which the symmetry loss mirrors shapes."""
+    sparsity: float = Config.sparsity
+    """How few handles each column should move (weight of L_S), for shapes with parts; paper: 10, good with l1: 3."""
     norm: Literal[CHOICES["norm"][0]] = Config.norm
-    """Norm in the sparsity loss; paper: l21."""
+    """What L_S adds up: every handle of a column (l1), which makes columns local, or their lengths (l21), as in the
+    paper, which does not."""
     unit: Literal[CHOICES["unit"][0]] = Config.unit
-    """Unit length in the sparsity loss: of whole columns, as in the paper, or of what handles see."""
+    """What has unit length in L_S: whole columns, as in the paper, or what handles see of them (seen), so that columns
+    gain nothing by hiding from handles."""
     vector: Literal[CHOICES["vector"][0]] = Config.vector
     """Difference of two codes, or concat, the ablation that reads both shapes together."""
     columns: Literal[CHOICES["columns"][0]] = Config.columns

@@ -3,10 +3,10 @@
 An experiment trains spaces, measures each and keeps the figures in results/NAME.json; RESULTS.md is made from those.
 """
 
-from . import axioms, projection, silence, size, sparsity, synchronization
+from . import axioms, projection, silence, size, sparsity, structure, synchronization, transfer
 from .kinds import Experiment
 
-MODULES = (sparsity, projection, axioms, size, synchronization, silence)
+MODULES = (sparsity, projection, axioms, size, synchronization, silence, structure, transfer)
 EXPERIMENTS: dict[str, Experiment] = {module.EXPERIMENT.name: module.EXPERIMENT for module in MODULES}
 
 

@@ -70,6 +70,15 @@ class Axis:
 
 
 @dataclass(frozen=True)
+class Picture:
+    """A named SVG file and the sentence for those who do not see it."""
+
+    name: str
+    said: str
+    svg: str
+
+
+@dataclass(frozen=True)
 class Chart:
     """Lines between two axes; `said` is the sentence for those who do not see it, `name` tells it from its siblings."""
 

@@ -5,11 +5,12 @@ from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, field
 from typing import TYPE_CHECKING, Any
 
+from .. import zoo
 from ..config import Config
 from ..shapes import Shapes
 from ..space import DeformSyncNet
 from ..training import Record, Training
-from .chart import Chart
+from .chart import Chart, Picture
 
 if TYPE_CHECKING:
     from .results import Results
@@ -29,6 +30,34 @@ class Data:
         """The name of its file, without the ending."""
         return f"{self.family.replace('/', '_')}-{self.count}x{self.points}-seed{self.seed}"
 
+    @property
+    def told(self) -> tuple[str, ...]:
+        """The command of data_gen that makes it."""
+        sizes = "--count", f"{self.count}", "--points", f"{self.points}", "--seed", f"{self.seed}"
+        return "generate", self.family, *sizes
+
+
+@dataclass(frozen=True)
+class Transfers(Data):
+    """What data_gen transfers is told instead: `count` triplets of a category, and their true transfers."""
+
+    across: bool = False
+    single: bool = False
+
+    @property
+    def name(self) -> str:
+        """The name of its file, without the ending."""
+        return "-".join([super().name, "transfers", *self._flags])
+
+    @property
+    def told(self) -> tuple[str, ...]:
+        """The command of data_gen that makes it."""
+        return "transfers", *super().told[1:], *(f"--{flag}" for flag in self._flags)
+
+    @property
+    def _flags(self) -> list[str]:
+        return [flag for flag in ("across", "single") if getattr(self, flag)]
+
 
 @dataclass(frozen=True)
 class Trained:
@@ -47,7 +76,8 @@ class Run:
     """One space to train and to measure; the seed is its Config's.
 
     `prepare` is called once before the first step, `watch` at every look at the validation shapes; `how` holds what
-    `measure` is told besides, so that other numbers there mean another run.
+    `measure` is told besides, so that other numbers there mean another run. `ready` names a ready-made space, which is
+    measured on all of the shapes, with nothing to train; `config` is what it was told.
     """
 
     arm: str
@@ -57,6 +87,7 @@ class Run:
     how: dict[str, Any] = field(default_factory=dict)
     prepare: Callable[[Training], None] | None = None
     watch: Callable[[Training, Record], dict[str, Any]] | None = None
+    ready: str | None = None
 
     @property
     def key(self) -> str:
@@ -69,6 +100,7 @@ class Run:
         told = {"data": asdict(self.data), "config": asdict(self.config) | {"device": "cpu"}}
         hooks = {"prepare": self.prepare, "watch": self.watch}
         told |= {name: hook.__name__ for name, hook in hooks.items() if hook}
+        told |= {"ready": self.ready, "weights": zoo.digest(self.ready)} if self.ready else {}
         return json.loads(json.dumps(told))
 
     @property
@@ -104,4 +136,4 @@ class Experiment:
     question: str
     runs: Callable[[Scale], list[Run]]
     section: Callable[["Results"], str]  # Markdown: tables and the account of them
-    charts: Callable[["Results"], list[Chart]] = lambda results: []
+    charts: Callable[["Results"], list[Chart | Picture]] = lambda results: []

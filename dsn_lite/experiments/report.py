@@ -6,7 +6,7 @@ from typing import Any
 
 from ..files import beside
 from . import EXPERIMENTS
-from .chart import Chart
+from .chart import Chart, Picture
 from .kinds import Scale
 from .results import Results
 from .tables import listed
@@ -67,7 +67,7 @@ def _known(folder: Path) -> list[Results]:
     return [results for results in found if results.entries or not results.scale.full]
 
 
-def _charts(results: Results) -> list[Chart]:
+def _charts(results: Results) -> list[Chart | Picture]:
     return results.experiment.charts(results) if results.entries else []
 
 
@@ -91,7 +91,8 @@ def _told(results: Results) -> str:
     told = {name: sorted({each[name] for each in _all(entries, "config")}) for name in ("k", "batch", "steps")}
     ran = ", ".join(f"{name} {listed([f'{value}' for value in values])}" for name, values in told.items())
     seconds = [entry["seconds"] for entry in entries]
-    took = f"trained in {fmean(seconds):.0f} s on average, {max(seconds):.0f} s at most"
+    trained = f"trained in {fmean(seconds):.0f} s on average, {max(seconds):.0f} s at most"
+    took = trained if max(seconds) else "with ready-made spaces"
     full = " --full" if results.scale.full else ""
     done = f"{len(entries)} of {len(results.runs)} runs done, {took}"
     return f"`python -m dsn_lite reproduce {results.experiment.name}{full}`: {done}. {'; '.join(shapes)}; {ran}."

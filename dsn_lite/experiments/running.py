@@ -1,8 +1,6 @@
 """Runs made one by one: data generated, a space trained, its figures written. What is done is not done again."""
 
 import json
-import subprocess
-import sys
 import time
 from collections.abc import Callable
 from dataclasses import asdict, dataclass, replace
@@ -12,11 +10,13 @@ from typing import Any
 
 import torch
 
+from .. import zoo
 from ..checkpoints import FILE as CHECKPOINT
 from ..checkpoints import load_history
 from ..config import Config
 from ..driving import drive
 from ..files import beside, load_shapes
+from ..processes import python
 from ..runs import finished, load_run
 from ..shapes import Shapes
 from ..training import Record, Training
@@ -36,14 +36,19 @@ class Workplace:
 
     def shapes(self, data: Data) -> tuple[Shapes, Shapes]:
         """The shapes, and the same sampled again; both are generated if they are not here."""
-        file, again = (self.cache / "data" / f"{data.name}{ending}.npz" for ending in ("", "-again"))
+        shapes, again = self.made(data), self.cache / "data" / f"{data.name}-again.npz"
+        if not again.exists():
+            file = again.with_name(f"{data.name}.npz")
+            python("reproduce", "-m", "data_gen", "resample", file, "--seed", data.seed + 1, "--out", again)
+        return shapes, load_shapes(again)
+
+    def made(self, data: Data) -> Shapes:
+        """The shapes, generated if they are not here."""
+        file = self.cache / "data" / f"{data.name}.npz"
         file.parent.mkdir(parents=True, exist_ok=True)
         if not file.exists():
-            told = ("--count", data.count, "--points", data.points, "--seed", data.seed)
-            _data_gen("generate", data.family, *told, "--out", file)
-        if not again.exists():
-            _data_gen("resample", file, "--seed", data.seed + 1, "--out", again)
-        return load_shapes(file), load_shapes(again)
+            python("reproduce", "-m", "data_gen", *data.told, "--out", file)
+        return load_shapes(file)
 
     def folder(self, run: Run) -> Path:
         """The folder of a training: that of every run, of any experiment, which is told the same.
@@ -81,17 +86,30 @@ def reproduce(experiment: Experiment, runs: list[Run], scale: Scale, place: Work
 
 def _entry(run: Run, place: Workplace) -> dict[str, Any]:
     """What is kept of a run: its steps, the seconds of its training and of its measuring, and its figures."""
+    trained, took = _ready(run, place) if run.ready else _trained(run, place)
+    start = time.perf_counter()
+    with torch.no_grad():
+        figures = run.measure(trained, **run.how)
+    return {**took, "seconds_measuring": time.perf_counter() - start, "figures": figures}
+
+
+def _ready(run: Run, place: Workplace) -> tuple[Trained, dict[str, float | int]]:
+    """A ready-made space, and shapes that are all new to it."""
+    shapes = place.made(run.data)
+    space = load_run(zoo.HERE / run.ready, place.device)
+    return Trained(space, run.config, shapes, shapes, shapes, []), {"steps": run.config.steps, "seconds": 0.0}
+
+
+def _trained(run: Run, place: Workplace) -> tuple[Trained, dict[str, float | int]]:
+    """The space of a run, and the steps and seconds that it took."""
     shapes, again = place.shapes(run.data)
     folder = place.folder(run)
     if not finished(folder):
         _train(run, shapes, folder, place.device)
-    start, last = time.perf_counter(), load_history(folder)[-1]
-    space, (seen, _, held_out) = load_run(folder, place.device), shapes.split(run.config.seed)
-    second = again.split(run.config.seed)[2]
-    with torch.no_grad():
-        figures = run.measure(Trained(space, run.config, seen, held_out, second, _looks(folder)), **run.how)
-    seconds = {"seconds": last["seconds"], "seconds_measuring": time.perf_counter() - start}
-    return {"steps": last["step"], **seconds, "figures": figures}
+    last, (seen, _, test) = load_history(folder)[-1], shapes.rows(run.config.seed)
+    space = load_run(folder, place.device)
+    trained = Trained(space, run.config, shapes[seen], shapes[test], again[test], _looks(folder))
+    return trained, {"steps": last["step"], "seconds": last["seconds"]}
 
 
 def _train(run: Run, shapes: Shapes, folder: Path, device: str) -> None:
@@ -121,14 +139,3 @@ def _watching(watch: Callable[..., dict], folder: Path, step: int) -> Callable[[
 def _looks(folder: Path) -> list[dict[str, Any]]:
     file = folder / LOOKS
     return [json.loads(line) for line in file.read_text(encoding="utf-8").splitlines()] if file.exists() else []
-
-
-def _data_gen(*arguments: object) -> None:
-    told = ["data_gen", *map(str, arguments)]
-    done = subprocess.run([sys.executable, "-m", *told], stderr=subprocess.PIPE, encoding="utf-8", errors="replace")
-    if done.returncode:
-        said = done.stderr.strip().splitlines() or [f"code {done.returncode}"]
-        raise ValueError(
-            f"reproduce: python -m {' '.join(told)} must make the shapes, it failed ({said[-1]}); see to that, and "
-            "repeat the command"
-        )

@@ -4,6 +4,9 @@ from dataclasses import replace
 from statistics import fmean
 from typing import Any
 
+from jaxtyping import Float
+from torch import Tensor
+
 from .. import modes
 from .kinds import Experiment, Run, Scale, Trained
 from .measures import MILLI, baselines, fitting
@@ -39,21 +42,24 @@ def measure(trained: Trained, pairs: int, turned_on: int) -> dict[str, Any]:
     if trained.config.sparsity:
         return found
     turned = modes.change_of_basis(trained.space, modes.varimax(modes.read(trained.space, trained.seen[:turned_on])))
-    found |= _read("varimax_", _unit(modes.read(turned, trained.shapes)))
+    reading = modes.read(turned, trained.shapes)
+    found |= _read("varimax_", _scaled(reading, reading.rms))
     return found | _read("untrained_", modes.read(trained.space.untrained(trained.config.seed), trained.shapes))
 
 
-def _unit(reading: modes.Reading) -> modes.Reading:
-    """The same with columns of unit rms, as a network's are: a strong column would make all others look small."""
-    return replace(reading, handles=reading.handles / reading.rms.clamp_min(1e-12).unsqueeze(1))
+def _scaled(reading: modes.Reading, lengths: Float[Tensor, "N k"]) -> modes.Reading:
+    """The same with columns that have these lengths made equally long: a strong one would make all others look small.
+
+    By rms they are as a network's are; by what handles see of them, what hides from handles gains nothing.
+    """
+    return replace(reading, handles=reading.handles / lengths.clamp_min(1e-12).unsqueeze(1))
 
 
 def _read(prefix: str, reading: modes.Reading) -> dict[str, Any]:
     quiet, left = modes.quiet_share(reading, QUIET), modes.nonzero_columns(reading, [QUIET])[QUIET]
     elements = [100 * share for share in modes.nonzero_elements(reading, THRESHOLDS).values()]
     columns = list(modes.nonzero_columns(reading, THRESHOLDS).values())
-    seen = reading.rms * reading.inside.sqrt()
-    scaled = modes.quiet_share(replace(reading, handles=reading.handles / seen.clamp_min(1e-12).unsqueeze(1)), QUIET)
+    scaled = modes.quiet_share(_scaled(reading, reading.rms * reading.inside.sqrt()), QUIET)
     found = {"quiet": 100 * quiet, "columns_left": left, "elements": elements, "columns": columns}
     found |= {"scaled": 100 * scaled, "inside": 100 * reading.inside.mean().item()}
     return {prefix + name: value for name, value in found.items()}

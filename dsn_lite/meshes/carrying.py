@@ -1,6 +1,7 @@
 """Copies of a mesh whose vertices moved or whose edges were split, with everything else carried along."""
 
 from collections.abc import Callable
+from colorsys import hsv_to_rgb
 
 import numpy as np
 import trimesh
@@ -13,8 +14,8 @@ from .surface import Mesh, normals, parts, placed
 def separate(mesh: Mesh) -> Mesh:
     """A deep copy where each node of a scene has a geometry of its own: copies in two places deform differently."""
     if isinstance(mesh, trimesh.Trimesh):
-        return _copy(mesh)
-    scene, taken = mesh.copy(), set()
+        return _told(_copy(mesh), mesh)
+    scene, taken = _told(mesh.copy(), mesh), set()
     scene.geometry.update({name: _copy(geometry) for name, geometry in mesh.geometry.items()})
     for node in scene.graph.nodes_geometry:
         name = scene.graph[node][1]
@@ -39,11 +40,24 @@ def moved(mesh: Mesh, offsets: Callable[[Float[np.ndarray, "n 3"]], Float[np.nda
     return mesh
 
 
+def painted(mesh: Mesh, labels: Int[np.ndarray, " v"]) -> Mesh:
+    """A copy with a colour for each label of its vertices, all different, in place of its looks; -1 is grey."""
+    mesh, count = separate(mesh), max(int(labels.max()) + 1, 1)
+    hues = np.arange(count) * 0.618 % 1  # neighbours in number are far apart in hue
+    colours = [[*(255 * np.array(hsv_to_rgb(hue, 0.45 + 0.4 * (i % 2), 0.9))), 255] for i, hue in enumerate(hues)]
+    table = np.array([*colours, [128, 128, 128, 255]]).astype(np.uint8)
+    pieces = [geometry for geometry, _ in parts(mesh).values()]
+    ends = np.cumsum([len(geometry.vertices) for geometry in pieces])[:-1]
+    for geometry, own in zip(pieces, np.split(labels, ends), strict=True):
+        geometry.visual = ColorVisuals(vertex_colors=table[own])
+    return mesh
+
+
 def subdivided(mesh: Mesh, max_edge: float) -> Mesh:
     """A copy in which no edge is longer than max_edge, in the unit of the scene; UVs, colours and normals go along."""
     mesh = separate(mesh)
     if isinstance(mesh, trimesh.Trimesh):
-        return _subdivided(mesh, np.eye(4), max_edge)
+        return _told(_subdivided(mesh, np.eye(4), max_edge), mesh)
     for node in mesh.graph.nodes_geometry:
         matrix, name = mesh.graph[node]
         if isinstance(mesh.geometry[name], trimesh.Trimesh):
@@ -122,6 +136,12 @@ def _shift(geometry: trimesh.Trimesh, offsets: Float[np.ndarray, "n 3"]) -> None
 def _stored_normals(geometry: trimesh.Trimesh) -> Float[np.ndarray, "n 3"] | None:
     """The normals that the file had. trimesh keeps them in its cache, and its exporters look there too."""
     return np.array(geometry.vertex_normals) if "vertex_normals" in geometry._cache else None
+
+
+def _told(copied: Mesh, mesh: Mesh) -> Mesh:
+    """A copy that knows the format of its file, by which up and parts are judged; trimesh's copies forget it."""
+    copied.source.file_type = mesh.source.file_type
+    return copied
 
 
 def _copy(geometry):

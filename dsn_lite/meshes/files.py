@@ -18,6 +18,8 @@ WRITTEN = ("glb", "obj", "ply", "stl")
 def load_mesh(path: str | Path) -> Mesh:
     """The mesh of a GLB, glTF, OBJ, PLY, STL or OFF file, a Scene where the file is one; vertices are left as they are.
 
+    Of several scenes in a file it is the one that the file shows.
+
     Raises FileNotFoundError or ValueError in one sentence: missing, of another kind, unreadable, no faces, no area,
     vertices that are not finite.
     """

@@ -6,7 +6,7 @@ local = modes.change_of_basis(space, modes.local_basis(space, x, y.points).R)
 """
 
 from .bases import Rebased, change_of_basis
-from .columns import dead_columns, moved_by_columns, unused
+from .columns import dead_columns, moved_by_columns, moved_by_lengths, unused
 from .consistency import consistency, shuffled
 from .following import Following, following
 from .kinds import kind, kinds
@@ -30,6 +30,7 @@ __all__ = [
     "kinds",
     "local_basis",
     "moved_by_columns",
+    "moved_by_lengths",
     "nonzero_columns",
     "nonzero_elements",
     "principal",

@@ -12,8 +12,12 @@ def moved_by_columns(A: Dictionary, v: Vector) -> Float[Tensor, " k"]:
 
     v are the vectors that the columns are used with, for instance of pairs x -> y; they may broadcast against A.
     """
-    # (..., k) lengths meet the vectors, never (..., n, 3, k) offsets
-    return (column_rms(A) * v).square().reshape(-1, A.shape[-1]).mean(0).sqrt()
+    return moved_by_lengths(column_rms(A), v)
+
+
+def moved_by_lengths(lengths: Vector, v: Vector) -> Float[Tensor, " k"]:
+    """The same of columns whose lengths (column_rms, ..., k) are known: offsets (..., n, 3, k) are never formed."""
+    return (lengths * v).square().reshape(-1, lengths.shape[-1]).mean(0).sqrt()
 
 
 def dead_columns(A: Dictionary, v: Vector, below: float = 0.01) -> Int[Tensor, " d"]:

@@ -30,7 +30,7 @@ def following(space: ActionSpace, x: Shapes, y: Shapes) -> Following:
     Points whose part y lacks are left out. Raises ValueError where shapes tell no parts.
     """
     check_dictionary("following", space)
-    if any(known is None for shapes in (x, y) for known in (shapes.labels, shapes.rest, shapes.boxes)):
+    if not (x.has_parts and y.has_parts):
         raise ValueError(
             "following: shapes must have labels, rest and boxes, these have no parts; take shapes of data_gen"
         )

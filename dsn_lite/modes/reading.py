@@ -7,8 +7,8 @@ import torch
 from jaxtyping import Bool, Float
 from torch import Tensor
 
-from ..batch_handles import BatchHandles
 from ..dictionary import column_rms
+from ..handles import BatchHandles
 from ..shapes import Shapes
 from ..space import ActionSpace
 from .bases import check_dictionary

@@ -48,7 +48,7 @@ def labels_of(labels: Any, clouds: list[Cloud], where: str) -> list[np.ndarray |
                 f"{where}: labels must be one part index for each of the {len(cloud)} points of shape {index}, "
                 f"got {mark.shape}; take them from the same shape"
             )
-    return _one_each(marks, clouds, where, "labels")
+    return _one_each(marks, len(clouds), where, "labels")
 
 
 def faces_of(faces: Any, clouds: list[Cloud], where: str) -> list[np.ndarray | None]:
@@ -62,7 +62,20 @@ def faces_of(faces: Any, clouds: list[Cloud], where: str) -> list[np.ndarray | N
                 f"{where}: faces must be (f, 3) indices of the {len(cloud)} points of shape {index}, got {grid.shape}; "
                 "take points and faces from the same mesh"
             )
-    return _one_each(grids, clouds, where, "faces")
+    return _one_each(grids, len(clouds), where, "faces")
+
+
+def boxes_of(boxes: Any, count: int, where: str) -> list[np.ndarray | None]:
+    """Corners (p, 8, 3) of boxes, or None, for each of `count` shapes. Raises ValueError where they do not fit."""
+    several = _one_each([None] * count if boxes is None else list(boxes), count, where, "boxes")
+    corners = [None if each is None else array(each) for each in several]
+    for index, each in enumerate(corners):
+        if each is not None and (each.ndim != 3 or each.shape[1:] != (8, 3) or not np.isfinite(each).all()):
+            raise ValueError(
+                f"{where}: boxes must be (p, 8, 3) finite corners, those of shape {index} are {each.shape}; "
+                "take them from handles.corners"
+            )
+    return corners
 
 
 def titles_of(titles: Any, count: int, where: str) -> list[str]:
@@ -84,9 +97,9 @@ def _each(values: Any, clouds: list[Cloud], flat: int) -> list[np.ndarray | None
     return [shared] * len(clouds) if shared.ndim <= flat else list(shared)
 
 
-def _one_each(values: list, clouds: list[Cloud], where: str, what: str) -> list:
-    if len(values) != len(clouds):
+def _one_each(values: list, count: int, where: str, what: str) -> list:
+    if len(values) != count:
         raise ValueError(
-            f"{where}: {what} must be one array for each of the {len(clouds)} shapes, got {len(values)}; add them"
+            f"{where}: {what} must be one array for each of the {count} shapes, got {len(values)}; add them"
         )
     return values

@@ -6,26 +6,36 @@ from typing import Any
 import numpy as np
 import plotly.graph_objects as go
 
-from .inputs import array, cloud_of, clouds_of, faces_of, labels_of, titles_of
+from .inputs import array, boxes_of, cloud_of, clouds_of, faces_of, labels_of, titles_of
 from .look import BLUE, GREEN, GREY, VERMILLION
 from .row import Cloud, Row
+from .traces import boxes as box_lines
 from .traces import cloud, draw, drawn_points, scene
 
 
 def shapes(
-    points: Any, *, labels: Any = None, titles: Any = None, part_names: Any = None, faces: Any = None
+    points: Any,
+    *,
+    labels: Any = None,
+    titles: Any = None,
+    part_names: Any = None,
+    faces: Any = None,
+    boxes: Any = None,
 ) -> go.Figure:
     """One cloud (n, 3), or several in a row: (m, n, 3) or a list of clouds of any sizes; tensors or arrays.
 
     labels (n,) or one array a cloud colour points by part, and part_names make a legend of them. With faces (f, 3), for
-    all or one array a shape, meshes are drawn. Of more than 4096 points 4096 are drawn. Raises ValueError where points
-    are not finite clouds, or where labels, titles or faces do not fit them.
+    all or one array a shape, meshes are drawn. boxes: corners (p, 8, 3) of each shape, or None, whose edges
+    are drawn too. Of more than 4096 points 4096 are drawn. Raises ValueError where points are not finite clouds, or
+    where labels, titles, faces or boxes do not fit them.
     """
     clouds = clouds_of(points, "shapes")
-    row, marks = Row.of(clouds), labels_of(labels, clouds, "shapes")
-    grids = faces_of(faces, clouds, "shapes")
+    marks, grids = labels_of(labels, clouds, "shapes"), faces_of(faces, clouds, "shapes")
+    framed = {i: each for i, each in enumerate(boxes_of(boxes, len(clouds), "shapes")) if each is not None}
+    row = Row.of([*clouds, *(each.reshape(-1, 3) for each in framed.values())], len(clouds))
     names = titles_of(titles, len(clouds), "shapes")
     traces = [draw(row, i, c, marks[i], grids[i], names=part_names) for i, c in enumerate(clouds)]
+    traces += [box_lines(row, framed)] if framed else []
     said = f"{len(clouds)} shape{'s' * (len(clouds) > 1)} in a row, at one scale" + (
         f": {', '.join(names)}." if names else "."
     )

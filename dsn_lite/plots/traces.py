@@ -4,9 +4,10 @@ import numpy as np
 import plotly.graph_objects as go
 from jaxtyping import Float, Int
 
-from .look import BLUE, GREY, PALETTE, dress
+from .look import BLUE, GREY, PALETTE, TEXT, dress
 from .row import Cloud, Row
 
+ROUND = (0, 1, 3, 2, 0, 4, 5, 7, 6, 4, 5, 1, 3, 7, 6, 2)  # along all edges of a box, corners counted in binary
 MOST_POINTS = 4096  # drawn of one cloud
 COLOURS = (*PALETTE, GREY)  # a part's colour is its label; points of no part are grey
 SCALE = [[(i + end) / len(COLOURS), colour] for i, colour in enumerate(COLOURS) for end in (0, 1)]
@@ -67,6 +68,20 @@ def mesh(row: Row, index: int, points: Cloud, faces, labels=None, *, colour=BLUE
         paint = PAINT | {"intensity": colours(labels[faces[:, 0]]), "intensitymode": "cell", "showscale": False}
     look = {"flatshading": True, "lighting": LIGHT, "hoverinfo": "skip", "showlegend": False}
     return go.Mesh3d(x=x, y=y, z=z, i=i, j=j, k=k, **paint, **look)
+
+
+def edges(row: Row, corners: dict[int, Float[np.ndarray, "_ 8 3"]]) -> tuple[np.ndarray, ...]:
+    """What plotly is given for the edges of the boxes at each place: one line, broken between boxes."""
+    lines = [np.concatenate([each[:, ROUND], np.full((len(each), 1, 3), np.nan)], 1) for each in corners.values()]
+    placed = [row.place(line.reshape(-1, 3), index) for index, line in zip(corners, lines, strict=True)]
+    return tuple(np.concatenate(axis) for axis in zip(*placed, strict=True))
+
+
+def boxes(row: Row, corners: dict[int, Float[np.ndarray, "_ 8 3"]]) -> go.Scatter3d:
+    """The edges of boxes, by their place in the row."""
+    x, y, z = edges(row, corners)
+    look = {"line": {"color": TEXT, "width": 3}, "hoverinfo": "skip", "showlegend": False}
+    return go.Scatter3d(x=x, y=y, z=z, mode="lines", **look)
 
 
 def part_name(label: int, names) -> str:

@@ -4,18 +4,14 @@ import json
 import sys
 from collections.abc import Sequence
 from dataclasses import dataclass, field, fields
-from hashlib import sha256
 from pathlib import Path
-from typing import Any
 
 from ..checkpoints import FILE as CHECKPOINT
 from ..config import Config
 from ..files import beside, load_shapes
-from ..runs import read_config
-from ..shapes import Shapes
+from ..runs import fingerprint, read_config, same_shapes
 
 SOURCE = "source.json"  # in a run folder: what it was trained on
-LOOKED_AT = 1000  # shapes that a fingerprint is taken of
 
 
 @dataclass(frozen=True)
@@ -25,17 +21,13 @@ class Network:
     run: Path
     file: Path
     family: str | None = None
-    shapes: dict[str, Any] = field(default_factory=dict, compare=False)  # the fingerprint of those in the file
-
-    @property
-    def source(self) -> dict[str, Any]:
-        """What its run folder tells of the shapes it learns from; a file may lie elsewhere by then."""
-        return {"family": self.family, **self.shapes}
+    fingerprint: float = field(default=0.0, compare=False)  # of all shapes in the file
 
     def sign(self) -> None:
-        """Writes into its run folder what it learns from."""
+        """Writes into its run folder what it learns from; the file may lie elsewhere by the time it is read."""
         self.run.mkdir(parents=True, exist_ok=True)
-        text = json.dumps({"file": str(self.file), **self.source}, indent=2) + "\n"
+        source = {"file": str(self.file), "family": self.family, "fingerprint": self.fingerprint}
+        text = json.dumps(source, indent=2) + "\n"
         beside(self.run / SOURCE, lambda part: part.write_text(text, encoding="utf-8"))
 
     def command(self, config: Config, *, resume: bool) -> list[str]:
@@ -81,15 +73,8 @@ def _of_file(file: Path, out: Path, whole: bool) -> list[Network]:
     shapes = load_shapes(file)
     families, known = shapes.family_names, fingerprint(shapes)
     if whole or len(families) < 2:
-        return [Network(out / (file.name if file.is_dir() else file.stem), file, shapes=known)]
+        return [Network(out / (file.name if file.is_dir() else file.stem), file, fingerprint=known)]
     return [Network(out / family.replace("/", "_"), file, family, known) for family in families]
-
-
-def fingerprint(shapes: Shapes) -> dict[str, Any]:
-    """How many shapes (N, n, 3) there are, and a hash of the points of up to 1000 of them, evenly spread."""
-    N, n, _ = shapes.points.shape
-    seen = shapes.points[:: N // LOOKED_AT + 1].float().cpu().contiguous().numpy()
-    return {"shapes": N, "points": n, "sha256": sha256(seen.tobytes()).hexdigest()}
 
 
 def check_run(network: Network, config: Config) -> None:
@@ -113,18 +98,20 @@ def check_run(network: Network, config: Config) -> None:
 
 
 def _check_source(network: Network) -> None:
-    told = _told(network.run / SOURCE)
-    if {name: told.get(name) for name in network.source} != network.source:
+    file, family, known = _told(network.run / SOURCE)
+    if family != network.family or not same_shapes(known or network.fingerprint, network.fingerprint):
         raise ValueError(
             f"sweep: {network.run} must hold a run of the shapes that {network.file} holds now, it was trained on "
-            f"others (of {told.get('file')}); sweep into another folder, or take that run away"
+            f"others (of {file}); sweep into another folder, or take that run away"
         )
 
 
-def _told(file: Path) -> dict[str, Any]:
+def _told(file: Path) -> tuple[str, str | None, float | None]:
+    """The file, the family and the fingerprint that `Network.sign` wrote; files of older sweeps have no such one."""
     try:
-        return dict(json.loads(file.read_text(encoding="utf-8")))
-    except (ValueError, TypeError):
+        told = json.loads(file.read_text(encoding="utf-8"))
+        return told["file"], told["family"], float(told["fingerprint"]) if "fingerprint" in told else None
+    except (ValueError, TypeError, KeyError):
         raise ValueError(
             f"sweep: {file} must tell what a run was trained on, it is broken; take that run away, to train it again"
         ) from None

@@ -1,9 +1,10 @@
-"""Widgets for Jupyter: sliders over families, dictionaries and thresholds, a deformation, a training to watch.
+"""Widgets for Jupyter: sliders over families, dictionaries, handles and thresholds, a deformation, a live training.
 
 They draw with plotly through one class, `Canvas`, and work without a front end, so that lessons can be tested.
 """
 
 from .canvas import Canvas
+from .coediting import HandleEditor
 from .families import FamilySliders
 from .heartbeat import heartbeat
 from .live import LiveTraining
@@ -16,6 +17,7 @@ __all__ = [
     "DeformationPath",
     "DictionarySliders",
     "FamilySliders",
+    "HandleEditor",
     "LiveTraining",
     "ThresholdSlider",
     "heartbeat",

@@ -6,7 +6,6 @@ from time import perf_counter
 from typing import Any
 
 import ipywidgets
-import plotly.graph_objects as go
 import torch
 from IPython.display import display
 
@@ -19,7 +18,7 @@ from ..plots import curve
 from ..plots.look import GREEN, VERMILLION
 from ..space import DeformSyncNet
 from ..training import Record, Training
-from .canvas import Canvas
+from .canvas import Canvas, WholeFigure
 from .guard import Notice, hear_while_busy
 
 SHARE = 0.015  # of the training's time may go into drawing
@@ -36,10 +35,10 @@ class LiveTraining(ipywidgets.VBox):
     def __init__(
         self, shapes: Any, config: Config | None = None, x: Any = None, y: Any = None, *, floor: float | None = None
     ):
-        self.shapes, self.config, self.floor = as_shapes(shapes), config or Config(), floor
+        self.shapes = shapes if isinstance(shapes, Shapes) else as_shapes(shapes)  # which would read all of shards
+        self.config, self.floor = config or Config(), floor
         self.config.check(self.shapes)
-        held_out = self.shapes.split(self.config.seed)[2]
-        own = _far_apart(held_out)
+        own = _far_apart(self.shapes, self.config.seed)
         self._x = (own.points[0] if x is None else torch.as_tensor(x)).float()
         self._y = (own.points[1] if y is None else torch.as_tensor(y)).float()
         labels = own.labels if x is None else None
@@ -53,7 +52,7 @@ class LiveTraining(ipywidgets.VBox):
             colours=[VERMILLION, GREEN],
             room=1.2,
         )
-        self.curve, self.notice = go.FigureWidget(curve([], floor)), Notice()
+        self.curve, self.notice = WholeFigure(curve([], floor)), Notice()
         self.button = ipywidgets.Button(description="stop", disabled=True, icon="stop", tooltip=HINT)
         self.button.on_click(lambda _button: self.stop())
         self.history: list[Record] = []
@@ -108,8 +107,8 @@ class LiveTraining(ipywidgets.VBox):
         return f"step {last.step}, {last.seconds:.0f} s, CD {last.validation_cd:.2e}, best {best:.2e}{floor}."
 
 
-def _far_apart(shapes: Shapes) -> Shapes:
-    """The first of some shapes, and the one among the first 16 that is farthest from it."""
-    few = shapes.points[:16]
-    farthest = int(chamfer(few[:1].expand_as(few), few).argmax())
-    return shapes[torch.tensor([0, farthest])]
+def _far_apart(shapes: Shapes, seed: int) -> Shapes:
+    """The first shape held out, and the one among the first 16 that is farthest from it."""
+    few = shapes[torch.arange(len(shapes))[shapes.rows(seed)[2]][:16]]
+    farthest = int(chamfer(few.points[:1].expand_as(few.points), few.points).argmax())
+    return few[torch.tensor([0, farthest])]

@@ -10,6 +10,7 @@ from plotly.subplots import make_subplots
 
 from ..plots.laws import LEGEND
 from ..plots.look import FONT, GREY, LINES, PALETTE, dress
+from .canvas import WholeFigure
 from .guard import Notice
 
 SYMBOLS = ("circle", "diamond", "square", "x")  # four against seven colours: no two of 28 curves look alike
@@ -35,8 +36,7 @@ class ThresholdSlider(ipywidgets.VBox):
         self.slider = ipywidgets.FloatLogSlider(value=low, **told, **ends, **look)
         self.choice = ipywidgets.ToggleButtons(options=list(quantities), style={"button_width": "220px"})
         self.threshold = threshold
-        self.view = go.FigureWidget(self._figure(cost))
-        self.view._config = self.view._config | {"displaylogo": False}
+        self.view = WholeFigure(self._figure(cost))
         for control in (self.slider, self.choice):
             control.observe(self.notice.guard(self._draw), "value")
         choices = [self.choice] if len(quantities) > 1 else []

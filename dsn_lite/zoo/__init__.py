@@ -1,19 +1,19 @@
 """Small trained runs that ship with the package, and the recipes that make them again from nothing."""
 
 import shutil
-import subprocess
-import sys
 import tempfile
 from functools import partial
+from hashlib import sha256
 from pathlib import Path
 
 from ..files import beside
+from ..processes import python
 from ..runs import finished, load_run
 from ..space import DeformSyncNet
 from .cards import card
 from .recipes import RECIPES, Recipe
 
-__all__ = ["FILES", "HERE", "RECIPES", "Recipe", "load", "names", "publish", "rebuild"]
+__all__ = ["FILES", "HERE", "RECIPES", "Recipe", "digest", "load", "names", "publish", "rebuild"]
 
 HERE = Path(__file__).parent
 FILES = ("config.json", "model.safetensors", "probe.safetensors")
@@ -32,6 +32,11 @@ def names() -> list[str]:
     return sorted(path.parent.name for path in HERE.glob("*/config.json"))
 
 
+def digest(name: str) -> str:
+    """Twelve hexadecimal digits that tell the weights of a ready-made space from others."""
+    return sha256((HERE / name / "model.safetensors").read_bytes()).hexdigest()[:12]
+
+
 def rebuild(name: str) -> Path:
     """Makes a run again from nothing, by the commands that its card names, measures it and puts it in its place."""
     if name not in RECIPES:
@@ -39,9 +44,9 @@ def rebuild(name: str) -> Path:
     recipe = RECIPES[name]
     with tempfile.TemporaryDirectory() as folder:
         file, again, run = Path(folder) / "shapes.npz", Path(folder) / "again.npz", Path(folder) / "run"
-        _python("-m", "data_gen", "generate", *recipe.generate.split(), "--out", file)
-        _python("-m", "data_gen", "resample", file, "--seed", 1, "--out", again)
-        _python("-m", "dsn_lite", "train", file, "--out", run, *recipe.train.split())
+        python("zoo", "-m", "data_gen", "generate", *recipe.generate.split(), "--out", file)
+        python("zoo", "-m", "data_gen", "resample", file, "--seed", 1, "--out", again)
+        python("zoo", "-m", "dsn_lite", "train", file, "--out", run, *recipe.train.split())
         return publish(name, run, file, again)
 
 
@@ -58,9 +63,3 @@ def publish(name: str, run: Path, file: Path, again: Path) -> Path:
         beside(place / part, partial(shutil.copy, run / part))
     beside(place / "card.md", partial(Path.write_text, data=text, encoding="utf-8"))
     return place
-
-
-def _python(*arguments: object) -> None:
-    told = [*map(str, arguments)]
-    if code := subprocess.run([sys.executable, *told], check=False).returncode:
-        raise ValueError(f"zoo: python {' '.join(told)} must end well, got exit code {code}; see what it said above")

@@ -73,8 +73,8 @@ def _truth(result: Evaluation) -> str:
 def _dictionary(space: DeformSyncNet, held_out: Shapes) -> str:
     few = held_out[: min(READ, len(held_out))]
     reading = modes.read(space, few)
-    x, y = few.points, few.points.roll(1, 0)
-    dead = len(modes.dead_columns(space.dictionary(x), space.vector(x, y)))
+    v = space.vector(few.points, few.points.roll(1, 0))
+    dead = len(modes.unused(modes.moved_by_lengths(reading.rms, v)))
     untrained = modes.quiet_share(modes.read(space.untrained(), few))
     quiet = f"{modes.quiet_share(reading):.0%} are below 1 % of the shape's largest (untrained: {untrained:.0%})"
     seen = f"Handles see {reading.inside.mean():.0%} of the columns' squared length"

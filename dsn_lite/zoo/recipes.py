@@ -2,7 +2,10 @@
 
 from dataclasses import dataclass
 
-MIXED = "--k 64 --sparsity 10 --symmetry 1 --steps {} --seed 0"  # the paper's k, weights and losses (Section 4.1)
+DATA = "--points 2048 --seed 271828"  # a seed that nobody types: shapes of other seeds are new to these spaces
+# The paper's k and weight of L_R (Section 4.1). Its l2,1 leaves modes that move all parts, l1 makes them local; its w
+# is 10, ours one with which fitting stays within 1.3 times what it is without L_S (lesson 08).
+MIXED = "--k 64 --sparsity {} --norm l1 --unit seen --symmetry 1 --steps {} --seed 0"
 FOREIGN = (
     "Shapes from other sources: it has seen {} made of clean parts, upright, all at one scale; real ones come part of "
     "the way to their target. {} Train on your own kind of thing where you can."
@@ -18,17 +21,18 @@ class Recipe:
     bad_at: str
 
 
-def mixed(category: str, steps: int, said: str, *, kind: str) -> Recipe:
-    """One network of all families of a category, with part handles and the paper's sparsity."""
-    generate = f"{category} --count 4000 --points 2048 --seed 0"
-    return Recipe(generate, MIXED.format(steps), FOREIGN.format(kind, said))
+def mixed(category: str, steps: int, said: str, *, kind: str, sparsity: int = 3) -> Recipe:
+    """One network of all families of a category, whose modes are sparse in the handles of its parts."""
+    return Recipe(f"{category} --count 4000 {DATA}", MIXED.format(sparsity, steps), FOREIGN.format(kind, said))
 
 
 RECIPES = {
     "airplane": mixed(
         "airplane", 6000, "Number and place of engines do not change, wings do not appear or vanish.", kind="airplanes"
     ),
-    "car": mixed("car", 6000, "A roof does not appear on an open car, nor a cabin on a trailer.", kind="cars"),
+    "car": mixed(
+        "car", 6000, "A roof does not appear on an open car, nor a cabin on a trailer.", kind="cars", sparsity=1
+    ),
     "chair": mixed(
         "chair",
         8000,
@@ -38,13 +42,13 @@ RECIPES = {
     "lamp": mixed(
         "lamp", 6000, "Hanging and standing lamps are far apart: between them it only moves points about.", kind="lamps"
     ),
-    "sofa": mixed("sofa", 6000, "Numbers of cushions and legs do not change.", kind="sofas"),
+    "sofa": mixed("sofa", 8000, "Numbers of cushions and legs do not change.", kind="sofas", sparsity=1),
     "table": mixed(
         "table", 8000, "Round tops stay round and drawers stay; legs do not become trestles.", kind="tables"
     ),
     "table_four_legs": Recipe(
-        "table/four_legs --count 2000 --points 2048 --seed 0",
-        "--k 32 --steps 12000 --seed 0",
+        f"table/four_legs --count 5000 {DATA}",
+        "--k 16 --steps 12000 --seed 0",
         "Tables unlike its own: round tops, crossed or tapered legs, drawers, shelves. It has seen parts only as boxes "
         "parallel to the axes, so a leg that leans is moved as if it stood upright. Tables from other sources come "
         "only part of the way to their target: look at the result, and train on your own kind of thing.",

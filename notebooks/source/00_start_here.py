@@ -116,7 +116,7 @@ plots.meshes([deformed, finer], titles=["vertices as they were", "subdivided"])
 # | $\mathcal{E}$, $\mathcal{F}$, $A_x$ | the two networks; the dictionary | `space.encode(x)`, `space.dictionary(x)` |
 # | $\mathrm{Ch}(x, y)$ | Chamfer distance | `dsn_lite.chamfer(x, y)` |
 #
-# Next: **01** shapes as points, and what is lost without correspondences; **02** the laws of such a space, by hand; **03** the case with correspondences, PCA; **05** a DeformSyncNet from scratch, trained live.
+# Next: **01** shapes as points, and what is lost without correspondences; **02** the laws of such a space, by hand; **03** the case with correspondences, PCA; **05** a DeformSyncNet from scratch, trained live; **06** what its dictionary says, and which sliders to read off it.
 #
 # ## 5 Exercises
 #

@@ -14,8 +14,7 @@ import torch
 import data_gen
 import dsn_lite
 from dsn_lite import Config, checks, lessons, metrics, plots, widgets
-from dsn_lite.batch_handles import BatchHandles
-from dsn_lite.handles import BoxHandles
+from dsn_lite.handles import BatchHandles, BoxHandles
 
 lessons.begin()
 

@@ -32,11 +32,11 @@ from torch.profiler import profile, record_function
 
 import data_gen
 from dsn_lite import Shapes, losses
-from dsn_lite.batch_handles import BatchHandles
 from dsn_lite.batches import crowded
 from dsn_lite.chamfer import plant
 from dsn_lite.dictionary import offsets
 from dsn_lite.files import as_shapes
+from dsn_lite.handles import BatchHandles
 from dsn_lite.networks import DictionaryPredictor, Encoder
 
 PAIRS, POINTS, K, SECONDS = 16, 2048, 64, 30

@@ -93,6 +93,19 @@ class Lab:
         (self.folder / name).write_text(json.dumps(content), encoding="utf-8")
         return name
 
+    def end_kernels(self):
+        """Ends the kernels of all notebooks."""
+        with self._answer("GET", "/api/sessions") as answer:
+            sessions = json.load(answer)
+        for session in sessions:
+            self._answer("DELETE", f"/api/sessions/{session['id']}").close()
+
+    def _answer(self, method, path):
+        asked = urllib.request.Request(
+            self.base + path, method=method, headers={"Authorization": f"token {self.token}"}
+        )
+        return urllib.request.urlopen(asked, timeout=60)
+
 
 @pytest.fixture(scope="session")
 def lab(browser, tmp_path_factory):
@@ -173,12 +186,18 @@ class Notebook:
         return self.page.evaluate(ASK, expression)
 
 
-@pytest.fixture
-def notebook(browser, lab):
-    """Opens a notebook of the lab by name; its kernel ends with the test."""
+@pytest.fixture(scope="session")
+def context(browser):
+    """What the pages of all tests share: a cache, so that JupyterLab is fetched and compiled once."""
     context = browser.new_context(viewport={"width": 1280, "height": 1600})
+    yield context
+    context.close()
+
+
+@pytest.fixture
+def notebook(context, lab):
+    """Opens a notebook of the lab by name in a page of its own; page and kernel end with the test."""
     opened = Notebook(context.new_page())
     yield lambda name: opened.open(lab, name)
-    with suppress(Exception):  # the test may have failed before there was a kernel
-        opened.page.evaluate("async () => { await jupyterapp.shell.currentWidget.sessionContext.shutdown(); }")
-    context.close()
+    opened.page.close()  # first, or the kernel's end waits for all that the page still has to draw
+    lab.end_kernels()

@@ -2,14 +2,14 @@
 
 Sums over the points of a part, of a field u and of u times the rest coordinates, are all that B+ needs: one product
 with an (n, 4P) indicator a shape, after which each part and axis is a regression of two numbers. Neither B, 3n x 6P,
-nor BB+, 3n x 3n, is ever formed. BoxHandles does the same for one shape, by name.
+nor BB+, 3n x 3n, is ever formed. BoxHandles are those of one shape, by name.
 """
 
 import torch
 from jaxtyping import Float, Int
 from torch import Tensor
 
-from .shapes import Shapes
+from ..shapes import Shapes
 
 
 class BatchHandles:
@@ -38,7 +38,7 @@ class BatchHandles:
     @classmethod
     def of(cls, shapes: Shapes) -> "BatchHandles":
         """The handles of a collection. Raises ValueError where it does not tell parts."""
-        if any(known is None for known in (shapes.labels, shapes.rest, shapes.boxes)):
+        if not shapes.has_parts:
             raise ValueError(
                 "BatchHandles: shapes must have labels, rest and boxes, these have no parts; take shapes of data_gen"
             )
