@@ -499,7 +499,8 @@ def test():
     prepare(tests=True)
     # a file of tests stays in one process, which makes once what they share; lessons share nothing
     own, lone = ["--ignore=tests/browser", "--ignore=tests/test_notebooks.py", "--dist=loadfile"], "--dist=worksteal"
-    stages = {"tests": ["tests", *own], "notebooks": [*lessons(), lone], "browser": ["tests/browser", lone]}
+    # a browser that draws keeps two cores busy by itself
+    stages = {"tests": ["tests", *own], "notebooks": [*lessons(), lone], "browser": ["tests/browser", "-n0"]}
     return report([lint(), *(pytest_stage(stage, arguments) for stage, arguments in stages.items())])
 
 

@@ -36,7 +36,7 @@ tables = dsn_lite.as_shapes(data_gen.generate("table/four_legs", count=40, point
 plots.shapes(tables.points[:4], labels=tables.labels[:4], part_names=tables.part_names)
 
 # %% [markdown]
-# A network was trained on 1700 such tables, given only the points: no part names, no parameters, no correspondences. In lesson 05 you train one yourself,
+# A network was trained on thousands of such tables, given only the points: no part names, no parameters, no correspondences. In lesson 05 you train one yourself,
 # live. For each shape it predicts a **dictionary** $A_x$: $k$ ways to deform that shape. A vector $v$ says how much of each, and
 # $$x \oplus v = A_x v + x.$$
 

@@ -227,7 +227,7 @@ basis.used, between.max().item(), used.inside.mean().item(), modes.quiet_share(u
 plots.mode_heat(used.energy_by_kind.mean(0), used.kinds)
 
 # %% [markdown]
-# A dozen directions or so instead of 64, no two alike. By `quiet_share` this basis is *worse* than the columns as trained: what is different from all others must move more. Judge for yourself which sliders
+# A dozen directions or so instead of 64, and none a copy of another (the second number is the largest cosine). By `quiet_share` this basis is *worse* than the columns as trained: what is different from all others must move more. Judge for yourself which sliders
 # you would rather have.
 #
 # **Predict first.** One of these modes moves the arms, another the back. What will the first do to a chair that has no arms: nothing?
@@ -242,7 +242,7 @@ arms = modes.silence(used, "arm")
 plots.mode_on_shapes(few.points, sliders.dictionary(few.points)[..., arms.mode], titles=titles)
 
 # %% [markdown]
-# Not nothing: where the second chair has arms, the others move the rim of the seat. On chairs without arms the mode moves the handles `handles` times as much as on
+# Not nothing: where the second chair and the last have arms, the others move the rim of the seat. On chairs without arms the mode moves the handles `handles` times as much as on
 # those with; beside it the most
 # arm-like mode of the untrained network. The paper says of a mode for swivel legs that it "does not affect" other chairs; our mode for arms is quieter there, not silent.
 

@@ -208,7 +208,7 @@ ways |= {"a frame of a drag": lambda: whole.drag(one.numpy(), change.numpy())}
 #
 # ## 6 A learned space
 #
-# Nobody knows the true dictionary of chairs. Here is the learned one: fourteen kinds of chairs, and neither parts nor boxes were in its input. The same edit as with the table, beside what
+# Nobody knows the true dictionary of chairs. Here is the learned one: fourteen kinds of chairs, and neither parts nor boxes are in its input (its sparsity loss looked at them in training). The same edit as with the table, beside what
 # the chair's own parameters would have made of it:
 
 # %%

@@ -258,16 +258,20 @@ def objective(raw, v, w, seen):
 
 
 # %%
+def start():
+    noise = torch.randn(512, 3, 16, generator=torch.Generator().manual_seed(0))
+    return one.project(noise).requires_grad_(), torch.zeros(16, len(others)).requires_grad_()
+
+
+# %%
 @torch.enable_grad()
 def search(w, seen):
-    start = torch.randn(512, 3, 16, generator=torch.Generator().manual_seed(0))
-    raw, v = one.project(start).requires_grad_(), torch.zeros(16, len(others)).requires_grad_()
+    raw, v = start()
     descent = torch.optim.Adam([raw, v], lr=0.01)
     for _ in range(lessons.steps(300)):
-        descent.zero_grad()
-        objective(raw, v, w, seen).backward()
+        raw.grad, v.grad = torch.autograd.grad(objective(raw, v, w, seen), (raw, v))
         descent.step()
-    return raw.detach(), v.detach()
+    return raw.detach()
 
 
 # %% [markdown]
@@ -276,7 +280,7 @@ def search(w, seen):
 # %%
 seen_of = lambda raw: (one.project(raw).square().sum((0, 1)) / raw.square().sum((0, 1))).mean().item()
 visible = {
-    f"length 1 {said}": {w: seen_of(search(w, seen)[0]) for w in (0, 1, 3)}
+    f"length 1 {said}": {w: seen_of(search(w, seen)) for w in (0, 1, 3)}
     for said, seen in (("as a whole", False), ("as seen", True))
 }
 plots.lines(visible, x="weight w of the sparsity loss", y="share of the columns that handles see")

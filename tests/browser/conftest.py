@@ -45,6 +45,9 @@ ASK = """async (code) => {
     return asked.status === 'ok' ? asked.data['text/plain'] : `${asked.ename}: ${asked.evalue}`;
 }"""
 
+# anywidget gives up on a widget whose script has not run after two seconds; a busy machine may need longer
+UNHURRIED = "(timeout => AbortSignal.timeout = ms => timeout(Math.max(ms, %d)))(AbortSignal.timeout.bind(AbortSignal))"
+
 
 def unavailable(reason):
     """Skips the test, or fails it where a browser is required."""
@@ -190,6 +193,7 @@ class Notebook:
 def context(browser):
     """What the pages of all tests share: a cache, so that JupyterLab is fetched and compiled once."""
     context = browser.new_context(viewport={"width": 1280, "height": 1600})
+    context.add_init_script(UNHURRIED % PATIENCE)
     yield context
     context.close()
 
