@@ -20,6 +20,11 @@ def offsets(A: Dictionary, v: Vector) -> Points:
     return torch.einsum("...nck,...k->...nc", A, v)
 
 
+def rms(u: Points) -> float:
+    """Root mean square length of offsets, over points and batch, in the unit of the points."""
+    return u.square().sum(-1).mean().sqrt().item()
+
+
 def coordinates(A: Dictionary, u: Points) -> Vector:
     """A+u: the shortest v whose offsets A v are nearest to u."""
     return (torch.linalg.pinv(matrix(A)) @ u.flatten(-2).unsqueeze(-1)).squeeze(-1)

@@ -9,6 +9,7 @@ import torch
 from jaxtyping import Float
 from torch import Tensor
 
+from ..dictionary import rms
 from ..handles import Handles
 from ..modes.bases import check_dictionary
 from ..projection import EditProjector, Snapped
@@ -17,7 +18,7 @@ from ..shapes import Shapes
 from ..space import ActionSpace
 from ..types import Vector
 from .blending import CoEdit, blended
-from .followers import Follower, Others, each, moved, rms
+from .followers import Follower, Others, each, moved
 
 
 class CoEditor:

@@ -7,7 +7,7 @@ import torch
 from jaxtyping import Float
 from torch import Tensor
 
-from ..dictionary import offsets
+from ..dictionary import offsets, rms
 from ..files import as_shapes
 from ..handles import BoxHandles
 from ..shapes import Shapes
@@ -65,11 +65,6 @@ class Follower:
 def moved(x: Points, A: Dictionary, v: Vector) -> Points:
     """x + A v, and where v is 0 the very bits of x: -0 + 0 is another zero."""
     return x + offsets(A, v.to(A)).to(x) if bool(v.any()) else x
-
-
-def rms(u: Float[Tensor, "n 3"]) -> float:
-    """Root of the mean over points of |u|^2."""
-    return u.square().sum(-1).mean().sqrt().item()
 
 
 def each(others: Others) -> Iterator[Shapes]:

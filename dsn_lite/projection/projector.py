@@ -8,7 +8,7 @@ import torch
 from jaxtyping import Bool, Float
 from torch import Tensor
 
-from ..dictionary import offsets
+from ..dictionary import offsets, rms
 from ..handles import BoxHandles, Handles
 from ..shapes import Shapes
 from ..space import ActionSpace
@@ -121,8 +121,8 @@ class EditProjector:
             points=points,
             edited=edited,
             by_handles=moved,
-            distance=_rms(points - edited),
-            residual=_rms((points - moved)[handles.held.to(x.device)]),
+            distance=rms(points - edited),
+            residual=rms((points - moved)[handles.held.to(x.device)]),
         )
 
 
@@ -150,10 +150,6 @@ def _named(handles: Handles, which: Bool[np.ndarray, " m"]) -> tuple[str, ...]:
 
 def _ends(values: Float[Tensor, " m"]) -> list[float | None]:
     return [end if np.isfinite(end) else None for end in _numpy(values).tolist()]
-
-
-def _rms(u: Float[Tensor, "n 3"]) -> float:
-    return u.square().sum(-1).mean().sqrt().item()
 
 
 def _numpy(values: Tensor) -> np.ndarray:
