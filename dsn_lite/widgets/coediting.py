@@ -19,7 +19,7 @@ from ..shapes import Shapes
 from ..space import ActionSpace
 from .canvas import Canvas
 from .guard import Notice
-from .picking import HandlePicker
+from .picking import HandlePicker, spoken
 
 
 class HandleEditor(ipywidgets.VBox):
@@ -168,20 +168,16 @@ class HandleEditor(ipywidgets.VBox):
     def _said(self) -> str:
         """What the latest edit did, in words."""
         if not self.history.done:
-            return f"Nothing is edited yet. {_spoken(self.name)} is at {self.value:.3f}."
+            return f"Nothing is edited yet. {spoken(self.name)} is at {self.value:.3f}."
         source, step = self.state.source, self.history.done[-1]
-        pins = ", ".join(f"{_spoken(name)} at {value:.3f}" for name, value in step.edits.items())
-        met = ", ".join(map(_spoken, source.at_bounds[:3])) or "no bound"
+        pins = ", ".join(f"{spoken(name)} at {value:.3f}" for name, value in step.edits.items())
+        met = ", ".join(map(spoken, source.at_bounds[:3])) or "no bound"
         more = f" and {len(source.at_bounds) - 3} more" if len(source.at_bounds) > 3 else ""
         moved = ", ".join(f"{one.moved:.3f}" for one in self.state.others)
         return (
             f"Edit {len(self.history.done)}: {pins}. The snap moved points by {source.distance:.3f}, met {met}{more}. "
             f"Since the start the source moved by {self.state.moved:.3f}, the others by {moved} (all rms)."
         )
-
-
-def _spoken(name: str) -> str:
-    return name.replace("_", " ").replace(".", " ")
 
 
 def _slider(name: str, value: float, low: float, high: float, told: str) -> ipywidgets.FloatSlider:

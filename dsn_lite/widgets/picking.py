@@ -1,6 +1,6 @@
 """Picking a handle by name, part first, and a value for it."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
@@ -115,6 +115,11 @@ class HandlePicker(ipywidgets.VBox):
             self._quiet = before
 
 
-def _said(names: Any) -> list[tuple[str, str]]:
+def spoken(name: str) -> str:
+    """The name of a part or a handle, in words."""
+    return name.replace("_", " ").replace(".", " ")
+
+
+def _said(names: Iterable[str]) -> list[tuple[str, str]]:
     """What a list shows, and what it means."""
-    return [(name.replace("_", " ").replace(".", " "), name) for name in names]
+    return [(spoken(name), name) for name in names]
