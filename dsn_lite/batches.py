@@ -41,12 +41,13 @@ class Batches:
         self.device = world.device(config.device)
         self.trees: dict[int, cKDTree] = {}
 
-    def __getitem__(self, step: int) -> Batch:
-        """This process's share of the batch of a step."""
+    def draw(self, step: int, *, dense: bool = False) -> Batch:
+        """This process's share of the batch of a step; dense sources keep all their points."""
         rng, n = np.random.default_rng((self.config.seed, step)), self.shapes.points.shape[1]
         drawn = rng.choice(len(self.rows), self.config.batch, replace=False)
         partner = np.roll(np.arange(len(drawn)), rng.integers(1, max(2, len(drawn))))  # nobody meets itself
-        kept = rng.choice(n, self.config.points, replace=False) if self.config.points < n else np.arange(n)
+        few = self.config.points < n and not dense
+        kept = rng.choice(n, self.config.points, replace=False) if few else np.arange(n)
         own = np.arange(self.world.rank, len(drawn), self.world.size)
         needed, where = np.unique([own, partner[own]], return_inverse=True)
         source, target = torch.from_numpy(where.reshape(2, -1))

@@ -31,6 +31,7 @@ class Config:
     steps: int | None = None  # how many steps to train instead: the same result again, on any machine of this kind
     batch: int = 8  # shapes of a step, each a source and a target once; paper: 16 or 32 pairs
     points: int = 512  # points of a source that a step reads, drawn anew from denser clouds; targets stay dense
+    dense: float = 0.0  # share of the training, at its end, in which a step reads all points of its sources
     learning_rate: float = 4e-3  # highest step length of Adam; paper's code: 5e-4 and 1e-3
     symmetry: float = 0.0  # weight of the symmetry loss L_R; paper: 1
     mirror: str = "x"  # axis across which the symmetry loss mirrors shapes
@@ -59,6 +60,10 @@ class Config:
                 raise ValueError(
                     f"Config: {name} must be a weight, 0 or more, got {getattr(self, name)}; 0 leaves {term} out"
                 )
+        if not 0 <= self.dense <= 1:
+            raise ValueError(
+                f"Config: dense must be a share from 0 to 1, got {self.dense}; 0.5 reads all in the 2nd half"
+            )
         if self.seed < 0:
             raise ValueError(f"Config: seed must be 0 or more, got {self.seed}; any whole number will do")
         for name, (choices, cure) in CHOICES.items():

@@ -152,7 +152,7 @@ class Training:
     @torch.enable_grad()
     def loss(self) -> Tensor:
         """L = 100 (L_F + w_R L_R) + w_S L_S (Eqs. 9-13) on the batch of this step, of several processes its share."""
-        config, batch = self.config, self.batches[self.step]
+        config, batch = self.config, self.batches.draw(self.step, dense=self.progress >= 1 - self.config.dense)
         x, codes = batch.x[batch.source], self.space.read(batch.x)
         v = self.space.between(codes[batch.source], codes[batch.target])
         fields, scales = self.space.dictionary.unscaled(x)

@@ -9,6 +9,7 @@ import torch
 from worlds import TINY, shapes_of, stop_at, weights
 
 from dsn_lite import losses
+from dsn_lite.batches import Batches
 from dsn_lite.config import Config
 from dsn_lite.data import triplets
 from dsn_lite.driving import drive, train
@@ -146,6 +147,30 @@ def test_a_crash_while_writing_leaves_the_checkpoint_before_it(tmp_path, monkeyp
     assert not list(tmp_path.rglob("*.part"))
 
 
+def test_the_dense_share_of_a_training_reads_all_points_of_its_sources(monkeypatch):
+    """Sub-sampled until then, on the same shapes; a step before and after each border."""
+    read, draw = [], Batches.draw
+
+    def drawn(self, step, **told):
+        batch = draw(self, step, **told)
+        read.append(batch.x.shape[1])
+        return batch
+
+    monkeypatch.setattr(Batches, "draw", drawn)
+    for dense, expected in ((0.0, [8] * 10), (0.3, [8] * 7 + [32] * 3), (1.0, [32] * 10)):
+        read.clear()
+        train(shapes, replace(TINY, points=8, steps=10, dense=dense))
+        assert read == expected
+
+
+def test_dense_and_sub_sampled_steps_draw_the_same_shapes():
+    batches = Training(shapes, replace(TINY, points=8)).batches
+    few, all_ = batches.draw(3), batches.draw(3, dense=True)
+    assert torch.equal(few.y, all_.y)
+    assert torch.equal(few.source, all_.source)
+    assert all((row.unsqueeze(1) == whole).all(-1).any(1).all() for row, whole in zip(few.x, all_.x, strict=True))
+
+
 # the whole of Section 3.3
 
 
@@ -155,7 +180,7 @@ def test_the_loss_is_that_of_its_terms_written_out():
     for norm in ("l1", "l21"):
         told = replace(TINY, symmetry=0.5, sparsity=2.0, norm=norm, batch=4)
         training = Training(chairs, told)
-        batch, space, total = training.batches[0], training.space, 0.0
+        batch, space, total = training.batches.draw(0), training.space, 0.0
         for i in range(4):
             x, y = batch.x[batch.source[i]], batch.y[i]
             d = space.deform(x, y)
@@ -178,7 +203,7 @@ def test_projection_while_training_is_what_the_loss_sees():
     plain, held = (Training(chairs, replace(TINY, project=project)) for project in (False, True))
     for each in (plain, held):  # far enough that parts bend
         torch.nn.init.normal_(each.space.encode.head[-1].weight, std=5, generator=torch.Generator().manual_seed(0))
-    batch = held.batches[0]
+    batch = held.batches.draw(0)
     x = batch.x[batch.source]
     d = batch.handles.project(held.space.deform(x, batch.y))
     assert held.loss().item() == pytest.approx(100 * losses.fitting(d, batch.y).item(), rel=1e-4)

@@ -19,6 +19,9 @@ from .runs import File, shapes_of
 class Settings(Config):
     """What the training is told."""
 
+    dense: float = Config.dense
+    """Share of the training, at its end, in which a step reads all points of its sources: slower steps that see thin
+    parts, good: 0.5 where clouds are denser than points."""
     symmetry: float = Config.symmetry
     """How much a deformed shape must match its mirror image (weight of L_R); paper: 1, good for symmetric kinds."""
     mirror: Literal[CHOICES["mirror"][0]] = Config.mirror
