@@ -66,4 +66,4 @@ def spectrum(values: Any) -> go.Figure:
     figure.update_layout(showlegend=False, margin={"l": 80, "r": 20, "t": 50, "b": 70})
     most = int((1 - left >= 0.99).argmax()) + 1
     said = f"The first {most} of {len(k)} principal axes explain 99 % of the variance."
-    return dress(figure, said, width=960, height=380)
+    return dress(figure, said, width=860, height=380)

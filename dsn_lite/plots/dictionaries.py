@@ -43,7 +43,7 @@ def mode_heat(energy: Any, kinds: Sequence[str], columns: Sequence[int] | None =
     counts = {kind: int((main == row).sum()) for row, kind in enumerate(y)}
     told = ", ".join(f"{kind} {count}" for kind, count in counts.items() if count)
     said = f"Share of the squared motion of {len(x)} modes by kind of part; modes that move a kind most: {told}."
-    return dress(figure, said, width=960, height=130 + 34 * len(y))
+    return dress(figure, said, width=860, height=130 + 34 * len(y))
 
 
 def mode_on_shapes(points: Any, fields: Any, *, titles: Any = None) -> go.Figure:

@@ -42,7 +42,7 @@ def axiom_bars(report: Report, before: Report | None = None) -> go.Figure:
     figure.update_xaxes(type="log", title=TITLE, gridcolor=LINES, zeroline=False, **_ticks(zero, first, last))
     order = [_name(law) for law in reversed(LAWS)]
     figure.update_yaxes(categoryorder="array", categoryarray=order, automargin=True, ticksuffix="  ")
-    return dress(figure, _said(report), width=960, height=610)
+    return dress(figure, _said(report), width=860, height=610)
 
 
 def decades(values: list[float]) -> tuple[int, int]:

@@ -14,7 +14,7 @@ from jaxtyping import Float
 from .look import FONT
 
 TURN, TILT = radians(28), radians(18)  # of the camera: to the right of the front, and above it
-WIDEST, CELL = 960.0, 400.0  # pixels: of a row, and of one shape in it
+WIDEST, CELL = 860.0, 400.0  # pixels: of a row, beside the file browser of a projected page too; of one shape in it
 LINE = 24  # pixels of one line of a title
 
 Cloud = Float[np.ndarray, "_ 3"]  # clouds of a row may differ in size

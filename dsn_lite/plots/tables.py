@@ -41,7 +41,7 @@ def law_table(residuals: Any, spaces: Sequence[str], laws: Sequence[str]) -> go.
         for name, row in zip(spaces, values, strict=True)
     }
     said = " ".join(f"{name} breaks {', '.join(broken[name]) or 'none'}." for name in spaces)
-    return dress(figure, f"Residual of each law for each space. {said}", width=960, height=140 + 52 * len(spaces))
+    return dress(figure, f"Residual of each law for each space. {said}", width=860, height=140 + 52 * len(spaces))
 
 
 def bars(values: dict[Any, float], *, x: str, y: str) -> go.Figure:
