@@ -19,6 +19,7 @@ CHOICES = {
     "columns": (("rms", "unit"), 'keep "rms" unless you compare'),
 }
 LOOKED_AT = 1000  # shapes of a collection that stand for all: it may be larger than memory
+WAVES = 10  # frequencies: the last one's period is 0.004 units, shorter than the spacing of any sample
 FARTHEST = 10.0  # coordinates beyond it were never brought to a common scale
 
 
@@ -42,6 +43,7 @@ class Config:
     vector: str = "difference"  # difference of two codes, or concat, the ablation that reads both shapes together
     features: tuple[int, ...] = (32, 64, 128)  # widths of the point features of both networks; paper: 64 64 64 128 1024
     head: tuple[int, ...] = (128, 64)  # widths of the dictionary's last layers; paper: 512 256 128
+    waves: int = 0  # frequencies at which the dictionary's network reads places too, so that it can bend at thin parts
     columns: str = "rms"  # columns have root mean square 1 over the points (rms), or length 1 as in the paper (unit)
     clip: float = 10.0  # longest gradient: a longer one is cut to it, so that no step goes farther
     seed: int = 0  # seed of the split, of the first weights and of the batches
@@ -64,6 +66,8 @@ class Config:
             raise ValueError(
                 f"Config: dense must be a share from 0 to 1, got {self.dense}; 0.5 reads all in the 2nd half"
             )
+        if not 0 <= self.waves <= WAVES:
+            raise ValueError(f"Config: waves must be from 0 to {WAVES}, got {self.waves}; 4 is good, 0 is as the paper")
         if self.seed < 0:
             raise ValueError(f"Config: seed must be 0 or more, got {self.seed}; any whole number will do")
         for name, (choices, cure) in CHOICES.items():
@@ -131,6 +135,7 @@ def network(config: Config, frame: Frame | None = None) -> DeformSyncNet:
     """An untrained DeformSyncNet of this configuration; with vector = "concat", its ablation."""
     encoder = Encoder if config.vector == "difference" else PairEncoder
     kind = DeformSyncNet if config.vector == "difference" else ConcatSpace
-    predictor = DictionaryPredictor(config.k, config.features[:1], config.features[1:], config.head, config.columns)
+    widths = config.features[:1], config.features[1:], config.head
+    predictor = DictionaryPredictor(config.k, *widths, config.columns, config.waves)
     read = encoder(config.k, config.features, (config.features[-2],))
     return reset(kind(read, predictor, frame), config.seed)

@@ -6,6 +6,7 @@ paper; widths are smaller than the authors' (64-64-64-128-1024 and 512-256-128) 
 
 from collections.abc import Sequence
 from itertools import pairwise
+from math import pi
 
 import torch
 from jaxtyping import Float
@@ -22,6 +23,25 @@ def perceptron(widths: Sequence[int]) -> nn.Sequential:
     for before, after in pairwise(widths):
         layers += [nn.Linear(before, after), nn.LeakyReLU(0.2, inplace=True)]  # no layer needs what it overwrites
     return nn.Sequential(*layers[:-1])
+
+
+class Waves(nn.Module):
+    """Coordinates x and their sines and cosines at 2^j pi x, j < count; a period is 2 / 2^j units long.
+
+    A small network bends slowly: with waves it tells the two sides of a thin part apart (Tancik et al. 2020).
+    """
+
+    def __init__(self, count: int):
+        super().__init__()
+        self.width = 3 + 6 * count
+        self.register_buffer("powers", 2.0 ** torch.arange(count), persistent=False)
+
+    def forward(self, x: Points) -> Float[Tensor, "*#b n c"]:
+        """x, then the sines, then the cosines."""
+        if self.width == 3:
+            return x
+        turned = (pi * x.unsqueeze(-1) * self.powers.to(x)).flatten(-2)
+        return torch.cat([x, turned.sin(), turned.cos()], -1)
 
 
 class Features(nn.Module):
@@ -75,11 +95,13 @@ class DictionaryPredictor(nn.Module):
         features: Sequence[int] = (128, 256),
         head: Sequence[int] = (256, 128),
         columns: str = "rms",
+        waves: int = 0,
     ):
         super().__init__()
         self.k, self.columns = k, columns
+        self.waves = Waves(waves)
         # ends in an activation: without it, a single width would make every feature of a point affine in its place
-        self.local = nn.Sequential(perceptron((3, *local)), nn.LeakyReLU(0.2, inplace=True))
+        self.local = nn.Sequential(perceptron((self.waves.width, *local)), nn.LeakyReLU(0.2, inplace=True))
         self.features = Features((local[-1], *features))
         self.from_local = nn.Linear(local[-1], head[0])
         self.from_global = nn.Linear(features[-1], head[0], bias=False)
@@ -88,17 +110,20 @@ class DictionaryPredictor(nn.Module):
     def forward(self, x: Points, at: OtherPoints | None = None) -> Float[Tensor, "*#b _ 3 k"]:
         """F(x) at the points of x, or at other points of the same shape with x's global feature and column scales."""
         A, scales, whole = self._read(x)
-        return A / scales if at is None else self._fields(self.local(at), whole) / scales
+        return A / scales if at is None else self._fields(self._local(at), whole) / scales
 
     def unscaled(self, x: Points) -> tuple[Float[Tensor, "*#b n 3 k"], Float[Tensor, "*#b 1 1 k"]]:
         """F(x) as fields and their column scales, F(x) = fields / scales: A v = fields (v / scales) never divides A."""
         return self._read(x)[:2]
 
     def _read(self, x: Points) -> tuple[Tensor, Tensor, Tensor]:
-        here = self.local(x)
+        here = self._local(x)
         whole = self.features(here).unsqueeze(-2)
         A = self._fields(here, whole)
         return A, column_scales(A, self.columns), whole
+
+    def _local(self, x: Tensor) -> Tensor:
+        return self.local(self.waves(x))
 
     def _fields(self, local: Tensor, whole: Tensor) -> Tensor:
         # W [g; p] = W_g g + W_p p: the global feature g meets W once a cloud, not once a point

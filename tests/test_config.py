@@ -86,6 +86,7 @@ def test_points_that_were_never_brought_to_a_scale():
         ({"symmetry": float("nan")}, r"Config: symmetry must be a weight, 0 or more, got nan"),
         ({"mirror": "q"}, r"Config: mirror must be \"x\" or \"y\" or \"z\", got 'q'"),
         ({"dense": 1.5}, r"Config: dense must be a share from 0 to 1, got 1.5"),
+        ({"waves": 11}, r"Config: waves must be from 0 to 10, got 11"),
         ({"seed": -1}, r"Config: seed must be 0 or more, got -1"),
         ({"points": 0}, r"Config: points must be more than 0, got 0"),
         ({"head": (16, 0)}, r"each 1 or more, got .* and \(16, 0\)"),

@@ -336,6 +336,20 @@ def test_principal_directions_are_the_freedoms_of_the_shapes(scrambled):
     near((columns.mT @ columns / columns.mT.square().sum()), torch.diag(share))
 
 
+def test_disagreement_is_how_far_two_dictionaries_along_a_deformation_differ_written_out():
+    space, x, y = deform_sync_net(), randn(0, 3, 9, 3), randn(1, 3, 9, 3)
+    W, squares = randn(2, space.dictionary(x).shape[-1], 2), []
+    for here, there in zip(x, y, strict=True):
+        change = (space.dictionary(space.deform(here, there)) - space.dictionary(here)) @ W
+        squares += [change[:, :, j].square().sum(-1).mean() / 2 for j in range(2)]
+    assert modes.disagreement(space, x, y, W) == pytest.approx((sum(squares) / len(squares)).sqrt().item())
+
+
+def test_one_dictionary_for_all_shapes_never_disagrees():
+    x = randn(0, 8, 9, 3)
+    assert modes.disagreement(LinearSpace.fit(x, 3), x, x.roll(1, 0), randn(2, 3, 2)) == 0
+
+
 def test_local_basis_finds_the_parameters_of_tables(scrambled):
     space, shapes, A = scrambled
     x, y = shapes, shapes.points.roll(1, 0)

@@ -5,7 +5,7 @@ from torch import nn
 from worlds import K, deform_sync_net, near, randn, worlds
 
 from dsn_lite.dictionary import column_rms, matrix
-from dsn_lite.networks import DictionaryPredictor, Encoder, perceptron, reset
+from dsn_lite.networks import DictionaryPredictor, Encoder, Waves, perceptron, reset
 
 net = deform_sync_net()
 modes = pytest.mark.parametrize("mode", ["train", "eval"])
@@ -80,6 +80,39 @@ def test_the_split_product_is_that_of_the_repeated_feature():
     fast, twin = (torch.autograd.grad((A * weight).sum(), list(F.parameters())) for A in (F(x), slow()))
     for one, other in zip(fast, twin, strict=True):
         near(one, other, scale=other.abs().max())
+
+
+def test_waves_are_sines_and_cosines_of_the_places_written_out():
+    x = randn(0, 2, 5, 3)
+    found = Waves(2).double()(x)
+    expected = [x]
+    for turned in (torch.sin, torch.cos):
+        expected += [torch.stack([turned(2**j * torch.pi * x[..., axis]) for j in (0, 1)], -1) for axis in range(3)]
+    near(found, torch.cat(expected, -1))
+    assert Waves(0)(x) is x
+
+
+def test_a_dictionary_with_waves_reads_places_elsewhere_by_them_too():
+    F, x = DictionaryPredictor(K, (8,), (16,), (16,), waves=3).double(), randn(0, 1, 9, 3)
+    near(F(x, at=x[:, 2:4]), F(x)[:, 2:4])
+    assert F.local[0][0].weight.shape == (8, 3 + 18)
+
+
+def test_with_waves_a_dictionary_bends_at_a_thin_part_where_without_it_cannot():
+    """A sawtooth over a leg of width 0.05, as its width makes it: the same steps, and a third of the error."""
+    x = torch.rand(4, 256, 3, generator=torch.Generator().manual_seed(0)) - 0.5
+    wanted = ((x[..., 0] + 0.5) % 0.25 - 0.125) * 8
+    errors = []
+    for count in (0, 4):
+        F = reset(DictionaryPredictor(1, (16,), (16,), (32,), waves=count), 0)
+        adam = torch.optim.Adam(F.parameters(), lr=1e-2)
+        for _ in range(300):
+            adam.zero_grad()
+            loss = (F.unscaled(x)[0][..., 0, 0] - wanted).square().mean()
+            loss.backward()
+            adam.step()
+        errors.append(loss.item())
+    assert errors[1] < errors[0] / 3
 
 
 def test_a_zero_column_gives_no_nan_in_value_or_gradient():

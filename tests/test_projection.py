@@ -166,6 +166,32 @@ def test_a_basis_says_which_vectors_are_plausible():
     near(found.points, expected.points)
 
 
+def test_noise_adds_what_far_shapes_are_off_to_what_is_minimised():
+    """|B dz - A W w|^2 + n noise^2 |w|^2 over the free dz and w, written out."""
+    A, B, basis = randn(0, 9, 3, 6), randn(1, 9, 3, 4), randn(2, 6, 2)
+    found = EditProjector(A, DenseHandles(B), randn(3, 9, 3), basis, noise=0.4)({"handle_2": 0.5}, change=True)
+    free, square = [0, 1, 3], 0.4 * 9**0.5 * torch.eye(2).double()
+    rows = torch.cat([B[..., free].flatten(0, 1), -(A @ basis).flatten(0, 1)], dim=1)
+    rows = torch.cat([rows, torch.cat([torch.zeros(2, 3).double(), square], dim=1)])
+    wanted = torch.cat([-0.5 * B[..., 2].flatten(), torch.zeros(2).double()])
+    solved = torch.linalg.lstsq(rows, wanted[:, None]).solution[:, 0]
+    near((found.z_hat - found.z0)[free], solved[:3])
+    near(found.v, basis @ solved[3:])
+
+
+def test_without_noise_a_basis_is_all_that_counts():
+    A, handles, basis = randn(0, 9, 3, 6), DenseHandles(randn(1, 9, 3, 4)), randn(2, 6, 2)
+    plain, quiet = (EditProjector(A, handles, randn(3, 9, 3), basis, noise)({"handle_2": 0.5}) for noise in (0.0, 1e-9))
+    near(plain.z_hat, quiet.z_hat)
+
+
+@pytest.mark.parametrize(("noise", "told"), [(-1.0, "a basis"), (float("nan"), "a basis"), (0.1, "no basis")])
+def test_noise_needs_a_basis_and_is_a_length(noise, told):
+    basis = randn(2, 6, 2) if told == "a basis" else None
+    with pytest.raises(ValueError, match=rf"EditProjector: noise must be .*, got {noise} and {told}; take both from"):
+        EditProjector(randn(0, 9, 3, 6), DenseHandles(randn(1, 9, 3, 4)), randn(3, 9, 3), basis, noise)
+
+
 def test_values_are_absolute_unless_they_are_changes():
     handles = DenseHandles(randn(1, 9, 3, 4), torch.tensor([1.0, 2, 3, 4]).double())
     edit = EditProjector(randn(0, 9, 3, 2), handles, randn(2, 9, 3))

@@ -187,6 +187,20 @@ def test_a_space_uses_as_many_directions_as_shapes_have_parameters(tables):
     assert used.basis.shape == (20, 6)
     assert used.share.shape == (20,)
     assert used.share[:6].sum() > 0.9999
+    assert used.noise == 0  # one dictionary for all shapes
+
+
+def test_a_dictionary_that_is_all_noise_completes_nothing_and_without_noise_all():
+    shapes = shapes_of(TABLE, 12, 48)
+    edits = structure.random_edits(shapes, 8, seed=0)
+    exact = structure.moved_by_boxes(structure.box_slopes(shapes))
+    plain, quiet, loud = (structure.complete(exact, shapes, edits, noise).boxes for noise in (0.0, 1e-9, 1e6))
+    assert torch.allclose(quiet, plain, atol=1e-4)  # files hold single precision
+    for t, edit in enumerate(edits):
+        others = [not edit.handle.startswith(name) for name in shapes.part_names]
+        before = shapes.boxes[edit.shape][others].double()
+        assert torch.allclose(loud[t][others], before, atol=1e-6)
+    assert (plain - loud).abs().max() > 1e-2
 
 
 def test_what_is_learned_is_a_dictionary_in_the_basis(tables):

@@ -22,6 +22,9 @@ class Settings(Config):
     dense: float = Config.dense
     """Share of the training, at its end, in which a step reads all points of its sources: slower steps that see thin
     parts, good: 0.5 where clouds are denser than points."""
+    waves: int = Config.waves
+    """Frequencies at which the dictionary's network reads places too, so that it can bend at thin parts: 0 as in the
+    paper, good: 4."""
     symmetry: float = Config.symmetry
     """How much a deformed shape must match its mirror image (weight of L_R); paper: 1, good for symmetric kinds."""
     mirror: Literal[CHOICES["mirror"][0]] = Config.mirror

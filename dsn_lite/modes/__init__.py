@@ -10,7 +10,7 @@ from .columns import dead_columns, moved_by_columns, moved_by_lengths, unused
 from .consistency import consistency, shuffled
 from .following import Following, following
 from .kinds import kind, kinds
-from .local import Local, local_basis, principal, varimax
+from .local import Local, disagreement, local_basis, principal, varimax
 from .reading import Reading, read
 from .silence import Silence, echo, silence
 from .sparsity import nonzero_columns, nonzero_elements, quiet_share
@@ -24,6 +24,7 @@ __all__ = [
     "change_of_basis",
     "consistency",
     "dead_columns",
+    "disagreement",
     "echo",
     "following",
     "kind",

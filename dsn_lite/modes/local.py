@@ -46,6 +46,20 @@ def principal(space: ActionSpace, x: Points, y: OtherPoints) -> tuple[Float[Tens
     return root @ turn.flip(1), (motion / motion.sum()).flip(0).clamp_min(0)
 
 
+@torch.no_grad()
+def disagreement(space: ActionSpace, x: Points, y: OtherPoints, W: Float[Tensor, "k r"]) -> float:
+    """How far a dictionary is from itself: rms over points of (F(x (+) xy) - F(x)) W / sqrt 2, a column of W each.
+
+    Actions add if F is the same all along a deformation; where that is true of the shapes, each of the two is off by
+    this much, independently. In the unit of the points, per unit of w. No label and no parameter is read.
+    """
+    squares = []
+    for here, there in zip(x.split(AT_ONCE), y.split(AT_ONCE), strict=True):
+        change = (space.dictionary(space.deform(here, there)) - space.dictionary(here)).double() @ W.double()
+        squares.append(change.square().sum(-2).mean((1, 2)))
+    return (torch.cat(squares).mean() / 2).sqrt().item()
+
+
 def varimax(reading: Reading) -> Float[Tensor, "k k"]:
     """The rotation R that makes the columns of B+F R most local: one R for all shapes, strongest columns first.
 

@@ -32,9 +32,20 @@ class Factor:
     noise: float
 
     @classmethod
-    def of(cls, A: Float[np.ndarray, "n 3 k"], B: Float[np.ndarray, "n 3 m"], eps: float = EPS) -> "Factor":
-        """The factor of a dictionary and handles over the same n points, whose numbers are exact to eps."""
+    def of(
+        cls,
+        A: Float[np.ndarray, "n 3 k"],
+        B: Float[np.ndarray, "n 3 m"],
+        eps: float = EPS,
+        weight: float = 0.0,
+    ) -> "Factor":
+        """The factor of a dictionary and handles over the same n points, whose numbers are exact to eps.
+
+        A weight adds |weight v|^2 to what is minimised: k rows more.
+        """
         both = np.concatenate([A, B], axis=-1, dtype=np.float64).reshape(3 * len(A), -1)
+        if weight:
+            both = np.concatenate([both, weight * np.eye(A.shape[-1], both.shape[1])])
         R = torch.linalg.qr(torch.from_numpy(both), mode="r").R.numpy()  # scipy's would hold all 3n rows of it
         rows = len(both)
         # the arithmetic adds up errors of double precision; those of the numbers themselves are independent

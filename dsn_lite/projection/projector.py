@@ -27,6 +27,10 @@ class EditProjector:
     z_hat - z0 is the shortest, then v. Prepared once, in double precision; then an edit of the same handles is a
     product with a small matrix, as long as no bound is met.
 
+    noise says that A is not exact: how far, per unit of w, it is off (rms over points; modes.disagreement measures it).
+    Then far shapes cost what they are in error, n noise^2 |w|^2 more, and an edit that A only seems to follow is not
+    followed. It needs a basis along which real shapes vary by 1 (modes.principal).
+
     x (n, 3) is the shape; B z0, where handles tell it, unless given. basis (k, r) says that only vectors basis @ w are
     plausible, for instance the directions that shapes really use (modes.principal): w is what is shortest then.
     Raises ValueError where sizes do not agree, numbers are not finite, or nothing tells x.
@@ -38,14 +42,17 @@ class EditProjector:
         handles: Handles,
         x: Points | None = None,
         basis: Float[Tensor, "k r"] | None = None,
+        noise: float = 0.0,
     ):
         _check(A, handles, x, basis)
+        _check_noise(noise, basis)
         self.A, self.handles, self.basis = A, handles, None if basis is None else _numpy(basis)
         self.x = handles.offsets(handles.z0) if x is None else x
         held, B = handles.held, handles.B
         fields = _numpy(A[held.to(A.device)])
         eps = max(torch.finfo(given.dtype).eps for given in (A, B))
-        self.factor = Factor.of(fields if basis is None else fields @ self.basis, _numpy(B[held]), eps)
+        fields = fields if basis is None else fields @ self.basis
+        self.factor = Factor.of(fields, _numpy(B[held]), eps, noise * len(fields) ** 0.5)
         self._V = self.factor.A_plus_B if basis is None else self.basis @ self.factor.A_plus_B
         self._gain = lru_cache(KEPT)(self._solved)
 
@@ -141,6 +148,15 @@ def _check(A: Tensor, handles: Handles, x: Tensor | None, basis: Tensor | None) 
         raise ValueError(
             f"EditProjector: basis must be (k, r), finite, with the k = {k} numbers of a vector as rows, "
             f"got {tuple(basis.shape)}; transpose it"
+        )
+
+
+def _check_noise(noise: float, basis: Tensor | None) -> None:
+    if not 0 <= noise < float("inf") or (noise and basis is None):
+        told = "no basis" if basis is None else "a basis"
+        raise ValueError(
+            f"EditProjector: noise must be a length, 0 or more, and come with a basis whose w is about 1, got {noise} "
+            f"and {told}; take both from modes.principal and modes.disagreement"
         )
 
 

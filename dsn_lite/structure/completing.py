@@ -25,17 +25,19 @@ class Completed:
     bounded: Bool[Tensor, " T"]
 
 
-def complete(plausible: Plausible, shapes: Shapes, edits: Sequence[Edit]) -> Completed:
+def complete(plausible: Plausible, shapes: Shapes, edits: Sequence[Edit], noise: float = 0.0) -> Completed:
     """Snaps each edit to what is plausible around its shape: a dictionary A (1, n, 3, k) of that one shape (Eqs. 4-7).
 
-    Edge lengths stay > 0. Raises ValueError where the shapes tell no parts.
+    Edge lengths stay > 0. `noise` is how far A is off, as for EditProjector, where real shapes vary by 1 along it.
+    Raises ValueError where the shapes tell no parts.
     """
     found = [None] * len(edits)
     order = sorted(range(len(edits)), key=lambda t: edits[t].shape)
     for i, own in groupby(order, key=lambda t: edits[t].shape):
         one = shapes[i]
         handles = BoxHandles.of(one)
-        projector = EditProjector(plausible(one)[0], handles, one.points[0])
+        A = plausible(one)[0]
+        projector = EditProjector(A, handles, one.points[0], torch.eye(A.shape[-1]) if noise else None, noise)
         for t in own:
             snapped = projector({edits[t].handle: edits[t].value})
             change = snapped.z_hat - snapped.z0

@@ -11,7 +11,7 @@ from jaxtyping import Float
 from torch import Tensor
 
 from ..handles import BoxHandles
-from ..modes.local import NEARLY_ALL, principal
+from ..modes.local import NEARLY_ALL, disagreement, principal
 from ..shapes import Shapes
 from ..space import ActionSpace
 from ..types import OtherPoints, Points
@@ -22,10 +22,14 @@ Slopes = dict[str, Float[Tensor, "P 2 3 r"]]  # of each family: how boxes move, 
 
 
 class Used(NamedTuple):
-    """Directions that vectors of real pairs use: basis (k, r), and the share (k,) of the squared motion of each."""
+    """Directions that vectors of real pairs use: basis (k, r), and the share (k,) of the squared motion of each.
+
+    noise is how far the dictionary is from itself along them (modes.disagreement), for EditProjector.
+    """
 
     basis: Float[Tensor, "k r"]
     share: Float[Tensor, " k"]
+    noise: float
 
 
 def used_directions(space: ActionSpace, x: Points, y: OtherPoints) -> Used:
@@ -36,7 +40,7 @@ def used_directions(space: ActionSpace, x: Points, y: OtherPoints) -> Used:
     """
     W, share = principal(space, x, y)
     r = int((share.cumsum(0) < NEARLY_ALL).sum()) + 1
-    return Used(W[:, :r], share)
+    return Used(W[:, :r], share, disagreement(space, x, y, W[:, :r]))
 
 
 def learned(space: ActionSpace, basis: Float[Tensor, "k r"] | None = None) -> Plausible:
