@@ -16,7 +16,7 @@ from dsn_lite.dictionary import matrix
 from dsn_lite.editing import CoEditor, co_edit
 from dsn_lite.files import as_shapes
 from dsn_lite.handles import BoxHandles
-from dsn_lite.projection import EditProjector
+from dsn_lite.projection import EditProjector, Prior
 from dsn_lite.space import ActionSpace
 
 values = st.floats(-0.3, 0.3)
@@ -81,9 +81,9 @@ def test_one_edit_is_that_of_the_projector():
     assert (found.distance, found.residual) == pytest.approx((snapped.distance, snapped.residual))
 
 
-def test_a_basis_says_which_vectors_are_plausible():
+def test_a_prior_says_which_vectors_are_plausible():
     basis = randn(0, 3, 1)
-    found = co_edit(deform_sync_net(), table(), {LEG: 0.1}, (), change=True, basis=basis).source.v
+    found = co_edit(deform_sync_net(), table(), {LEG: 0.1}, (), change=True, prior=Prior(basis)).source.v
     near(found, basis[:, 0] * (found[0] / basis[0, 0]))
 
 

@@ -14,6 +14,7 @@ from worlds import deform_sync_net, randn
 from dsn_lite.editing import History, Step
 from dsn_lite.editing.keeping import identity, write
 from dsn_lite.modes import change_of_basis
+from dsn_lite.projection import Prior
 
 EDITS = (
     {"edits": {LEG: 0.4}},
@@ -150,12 +151,12 @@ def test_a_file_opens_beside_any_others(tmp_path):
     assert same(again.state.others, session.state.others[:1])
 
 
-def test_another_space_source_or_basis_is_refused(tmp_path):
+def test_another_space_source_or_prior_is_refused(tmp_path):
     file, space, moved = tmp_path / "edits.json", deform_sync_net(), replace(table(), boxes=table().boxes.clone())
     all_done().save(file)
     moved.boxes[0, 0, 0] += 1e-9
-    rebased, basis = change_of_basis(space, torch.eye(3)), torch.eye(3)
-    for told in ((deform_sync_net(1), table()), (rebased, table()), (space, table(), (), basis)):
+    rebased, prior = change_of_basis(space, torch.eye(3)), Prior(torch.eye(3))
+    for told in ((deform_sync_net(1), table()), (rebased, table()), (space, table(), (), prior)):
         with pytest.raises(ValueError, match="must be a history of this space, it is of another; load it with its own"):
             History.load(file, *told)
     for source in (table(1), moved):
@@ -163,12 +164,14 @@ def test_another_space_source_or_basis_is_refused(tmp_path):
             History.load(file, space, source)
 
 
-def test_with_its_own_basis_it_opens(tmp_path):
-    file, basis = tmp_path / "edits.json", randn(0, 3, 2)
-    session = history(basis=basis)
+def test_with_its_own_prior_it_opens(tmp_path):
+    file, prior = tmp_path / "edits.json", Prior(randn(0, 3, 2), 0.01)
+    session = history(prior=prior)
     session.do({LEG: 0.4})
     session.save(file)
-    assert same(History.load(file, deform_sync_net(), table(), others(), basis).state, session.state)
+    assert same(History.load(file, deform_sync_net(), table(), others(), prior).state, session.state)
+    with pytest.raises(ValueError, match="must be a history of this space, it is of another"):
+        History.load(file, deform_sync_net(), table(), others(), prior._replace(noise=0.02))
 
 
 def test_a_file_that_is_not_there_is_refused(tmp_path):

@@ -9,7 +9,7 @@ import data_gen
 from dsn_lite.data import Shapes
 from dsn_lite.files import as_shapes
 from dsn_lite.handles import BoxHandles, DenseHandles
-from dsn_lite.projection import EditProjector
+from dsn_lite.projection import EditProjector, Prior
 
 
 def optimality(edit, pinned, dz, v):
@@ -158,7 +158,10 @@ def test_a_network_in_single_precision_says_what_it_says_in_double():
 
 def test_a_basis_says_which_vectors_are_plausible():
     A, handles, basis = randn(0, 9, 3, 6), DenseHandles(randn(1, 9, 3, 4)), randn(2, 6, 2)
-    edit, small = EditProjector(A, handles, randn(3, 9, 3), basis), EditProjector(A @ basis, handles, randn(3, 9, 3))
+    edit, small = (
+        EditProjector(A, handles, randn(3, 9, 3), Prior(basis)),
+        EditProjector(A @ basis, handles, randn(3, 9, 3)),
+    )
     found, expected = edit({"handle_2": 0.5}), small({"handle_2": 0.5})
     near(found.z_hat, expected.z_hat)
     near(found.v, basis @ expected.v)
@@ -169,7 +172,7 @@ def test_a_basis_says_which_vectors_are_plausible():
 def test_noise_adds_what_far_shapes_are_off_to_what_is_minimised():
     """|B dz - A W w|^2 + n noise^2 |w|^2 over the free dz and w, written out."""
     A, B, basis = randn(0, 9, 3, 6), randn(1, 9, 3, 4), randn(2, 6, 2)
-    found = EditProjector(A, DenseHandles(B), randn(3, 9, 3), basis, noise=0.4)({"handle_2": 0.5}, change=True)
+    found = EditProjector(A, DenseHandles(B), randn(3, 9, 3), Prior(basis, 0.4))({"handle_2": 0.5}, change=True)
     free, square = [0, 1, 3], 0.4 * 9**0.5 * torch.eye(2).double()
     rows = torch.cat([B[..., free].flatten(0, 1), -(A @ basis).flatten(0, 1)], dim=1)
     rows = torch.cat([rows, torch.cat([torch.zeros(2, 3).double(), square], dim=1)])
@@ -181,15 +184,17 @@ def test_noise_adds_what_far_shapes_are_off_to_what_is_minimised():
 
 def test_without_noise_a_basis_is_all_that_counts():
     A, handles, basis = randn(0, 9, 3, 6), DenseHandles(randn(1, 9, 3, 4)), randn(2, 6, 2)
-    plain, quiet = (EditProjector(A, handles, randn(3, 9, 3), basis, noise)({"handle_2": 0.5}) for noise in (0.0, 1e-9))
+    plain, quiet = (
+        EditProjector(A, handles, randn(3, 9, 3), Prior(basis, noise))({"handle_2": 0.5}) for noise in (0.0, 1e-9)
+    )
     near(plain.z_hat, quiet.z_hat)
 
 
-@pytest.mark.parametrize(("noise", "told"), [(-1.0, "a basis"), (float("nan"), "a basis"), (0.1, "no basis")])
-def test_noise_needs_a_basis_and_is_a_length(noise, told):
-    basis = randn(2, 6, 2) if told == "a basis" else None
-    with pytest.raises(ValueError, match=rf"EditProjector: noise must be .*, got {noise} and {told}; take both from"):
-        EditProjector(randn(0, 9, 3, 6), DenseHandles(randn(1, 9, 3, 4)), randn(3, 9, 3), basis, noise)
+@pytest.mark.parametrize("noise", [-1.0, float("nan"), float("inf")])
+def test_noise_is_a_length(noise):
+    prior = Prior(randn(2, 6, 2), noise)
+    with pytest.raises(ValueError, match=rf"EditProjector: the prior's noise must be a length, .*, got {noise}; modes"):
+        EditProjector(randn(0, 9, 3, 6), DenseHandles(randn(1, 9, 3, 4)), randn(3, 9, 3), prior)
 
 
 def test_values_are_absolute_unless_they_are_changes():
@@ -255,7 +260,7 @@ PROJECTORS = {
         (9, 3, 2),
         (9, 3),
         (3, 2),
-        r"basis must be \(k, r\), .* the k = 2 .*, got \(3, 2\); transpose it",
+        r"the prior's basis must be \(k, r\), .* the k = 2 .*, got \(3, 2\); transpose it",
     ),
 }
 
@@ -264,6 +269,7 @@ PROJECTORS = {
 def test_what_does_not_belong_together_is_refused(which):
     A, x, basis, said = PROJECTORS[which]
     given = [None if shape is None else randn(0, *shape) for shape in (x, basis)]
+    given[1] = None if basis is None else Prior(given[1])
     with pytest.raises(ValueError, match=f"EditProjector: {said}"):
         unchecked(EditProjector.__init__)(
             object.__new__(EditProjector), randn(0, *A), DenseHandles(randn(1, 9, 3, 4)), *given

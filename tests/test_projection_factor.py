@@ -10,7 +10,7 @@ from problems import dense, made, problems
 from worlds import deform_sync_net, randn, shapes_of
 
 from dsn_lite.handles import DenseHandles
-from dsn_lite.projection import EditProjector, Factor
+from dsn_lite.projection import EditProjector, Factor, Prior
 
 
 def least(matrix, wanted, smallest):
@@ -49,7 +49,7 @@ def test_the_factor_alone_solves_any_selection(problem):
 
 def test_a_network_and_its_boxes_in_a_browser():
     shapes, basis = shapes_of("chair/four_legs", 1, 300), randn(0, 3, 2)
-    edit = EditProjector.of(deform_sync_net().float(), shapes, basis=basis)
+    edit = EditProjector.of(deform_sync_net().float(), shapes, prior=Prior(basis))
     pinned = np.array([name == "leg_2.scale.y" for name in edit.handles.names])
     dz, v, left = in_a_browser(edit.to_json(), pinned, np.array([0.1]))
     snapped = edit({"leg_2.scale.y": 0.1}, change=True)

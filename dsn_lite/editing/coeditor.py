@@ -6,13 +6,11 @@ from dataclasses import replace
 from math import isfinite
 
 import torch
-from jaxtyping import Float
-from torch import Tensor
 
 from ..dictionary import rms
 from ..handles import Handles
 from ..modes.bases import check_dictionary
-from ..projection import EditProjector, Snapped
+from ..projection import EditProjector, Prior, Snapped
 from ..projection.bounds import Bounds
 from ..shapes import Shapes
 from ..space import ActionSpace
@@ -24,17 +22,15 @@ from .followers import Follower, Others, each, moved
 class CoEditor:
     """All that edits of a source need to know of it and of others, computed once: an edit is then a few small products.
 
-    source: one shape with parts; others: Shapes, or a sequence of clouds (q, 3) and Shapes of any sizes. basis (k, r)
+    source: one shape with parts; others: Shapes, or a sequence of clouds (q, 3) and Shapes of any sizes. prior
     as of EditProjector. Raises ValueError where the space has no dictionary, or the source is not one shape with parts.
     """
 
-    def __init__(
-        self, space: ActionSpace, source: Shapes, others: Others = (), basis: Float[Tensor, "k r"] | None = None
-    ):
+    def __init__(self, space: ActionSpace, source: Shapes, others: Others = (), prior: Prior | None = None):
         check_dictionary("co_edit", space)
         if len(source) != 1:
             raise ValueError(f"co_edit: source must be one shape, got {len(source)}; take shapes[0]")
-        self.projector = EditProjector.of(space, source, basis=basis)
+        self.projector = EditProjector.of(space, source, prior=prior)
         self.followers = tuple(Follower(space, one) for one in each(others))
         self.start = self._unmoved()
 
@@ -123,10 +119,10 @@ def co_edit(
     change: bool = False,
     bounds: Bounds | None = None,
     strength: float = 1.0,
-    basis: Float[Tensor, "k r"] | None = None,
+    prior: Prior | None = None,
 ) -> CoEdit:
     """One edit of a source, and what it makes of others; for many edits of the same shapes, keep a CoEditor.
 
     Arguments and errors are those of CoEditor and of its call.
     """
-    return CoEditor(space, source, others, basis)(edits, change=change, bounds=bounds, strength=strength)
+    return CoEditor(space, source, others, prior)(edits, change=change, bounds=bounds, strength=strength)

@@ -3,9 +3,7 @@
 from collections.abc import Mapping
 from pathlib import Path
 
-from jaxtyping import Float
-from torch import Tensor
-
+from ..projection import Prior
 from ..projection.bounds import Bounds
 from ..shapes import Shapes
 from ..space import ActionSpace
@@ -23,11 +21,9 @@ class History:
     that were undone. `done` and `undone` are the edits as they were told.
     """
 
-    def __init__(
-        self, space: ActionSpace, source: Shapes, others: Others = (), basis: Float[Tensor, "k r"] | None = None
-    ):
-        self.editor = CoEditor(space, source, others, basis)
-        self._identity = identity(space, source, basis)
+    def __init__(self, space: ActionSpace, source: Shapes, others: Others = (), prior: Prior | None = None):
+        self.editor = CoEditor(space, source, others, prior)
+        self._identity = identity(space, source, prior)
         self._steps: list[Step] = []
         self._states = [self.editor.start]
         self._cursor = 0
@@ -108,14 +104,14 @@ class History:
         space: ActionSpace,
         source: Shapes,
         others: Others = (),
-        basis: Float[Tensor, "k r"] | None = None,
+        prior: Prior | None = None,
     ) -> "History":
         """A saved history of this space and source: the same bits on the same machine, undone edits and all.
 
         Raises FileNotFoundError or ValueError in one sentence: no such file, no whole JSON, of another format, changed
         by hand, of another space or source, or edits that no longer lead to the handle values that the file tells.
         """
-        history, path = cls(space, source, others, basis), Path(path)
+        history, path = cls(space, source, others, prior), Path(path)
         steps, cursor, z_hat = read(path, history._identity)
         for step in steps:
             history.do(**vars(step))

@@ -9,7 +9,7 @@ import torch
 from torch import Tensor
 
 from ..files import beside
-from ..projection import Snapped
+from ..projection import Prior, Snapped
 from ..shapes import Shapes
 from ..space import ActionSpace
 from .steps import Step
@@ -18,9 +18,11 @@ FORMAT = "dsn_lite edit history"
 WITHIN = 1e-4  # of the largest handle value: machines differ in the last digits of a dictionary
 
 
-def identity(space: ActionSpace, source: Shapes, basis: Tensor | None) -> dict[str, str]:
-    """Digests of the weights of a space, with the basis if there is one, and of a source."""
-    n, weights = source.points.shape[1], dict(space.state_dict()) | ({} if basis is None else {"basis of edits": basis})
+def identity(space: ActionSpace, source: Shapes, prior: Prior | None) -> dict[str, str]:
+    """Digests of the weights of a space, with the prior of edits if there is one, and of a source."""
+    n, weights = source.points.shape[1], dict(space.state_dict())
+    if prior is not None:
+        weights |= {"prior basis": prior.basis, "prior noise": torch.tensor(prior.noise)}
     kind = {type(space).__name__: torch.zeros(0)}
     shared = {
         "points": source.points,

@@ -15,6 +15,7 @@ from ..space import ActionSpace
 from ..types import Dictionary, Points
 from .bounds import Bounds, limits, pins
 from .factor import Factor
+from .prior import Prior
 from .snapped import Snapped
 
 KEPT = 256  # selections whose answers are kept
@@ -27,13 +28,9 @@ class EditProjector:
     z_hat - z0 is the shortest, then v. Prepared once, in double precision; then an edit of the same handles is a
     product with a small matrix, as long as no bound is met.
 
-    noise says that A is not exact: how far, per unit of w, it is off (rms over points; modes.disagreement measures it).
-    Then far shapes cost what they are in error, n noise^2 |w|^2 more, and an edit that A only seems to follow is not
-    followed. It needs a basis along which real shapes vary by 1 (modes.principal).
-
-    x (n, 3) is the shape; B z0, where handles tell it, unless given. basis (k, r) says that only vectors basis @ w are
-    plausible, for instance the directions that shapes really use (modes.principal): w is what is shortest then.
-    Raises ValueError where sizes do not agree, numbers are not finite, or nothing tells x.
+    x (n, 3) is the shape; B z0, where handles tell it, unless given. A prior says which vectors are
+    plausible, and how far A is to be trusted. Raises ValueError where sizes do not agree, numbers are not finite, or
+    nothing tells x.
     """
 
     def __init__(
@@ -41,25 +38,22 @@ class EditProjector:
         A: Dictionary,
         handles: Handles,
         x: Points | None = None,
-        basis: Float[Tensor, "k r"] | None = None,
-        noise: float = 0.0,
+        prior: Prior | None = None,
     ):
-        _check(A, handles, x, basis)
-        _check_noise(noise, basis)
-        self.A, self.handles, self.basis = A, handles, None if basis is None else _numpy(basis)
+        _check(A, handles, x)
+        _check_prior(prior, A.shape[-1])
+        self.A, self.handles, self.basis = A, handles, None if prior is None else _numpy(prior.basis)
         self.x = handles.offsets(handles.z0) if x is None else x
         held, B = handles.held, handles.B
         fields = _numpy(A[held.to(A.device)])
         eps = max(torch.finfo(given.dtype).eps for given in (A, B))
-        fields = fields if basis is None else fields @ self.basis
+        fields, noise = (fields, 0.0) if prior is None else (fields @ self.basis, prior.noise)
         self.factor = Factor.of(fields, _numpy(B[held]), eps, noise * len(fields) ** 0.5)
-        self._V = self.factor.A_plus_B if basis is None else self.basis @ self.factor.A_plus_B
+        self._V = self.factor.A_plus_B if prior is None else self.basis @ self.factor.A_plus_B
         self._gain = lru_cache(KEPT)(self._solved)
 
     @classmethod
-    def of(
-        cls, space: ActionSpace, shapes: Shapes, i: int = 0, basis: Float[Tensor, "k r"] | None = None
-    ) -> "EditProjector":
+    def of(cls, space: ActionSpace, shapes: Shapes, i: int = 0, prior: Prior | None = None) -> "EditProjector":
         """For shape i of a collection with parts, by its box handles and the dictionary that a space has there.
 
         Raises ValueError where the space has no dictionary, or the collection tells no parts.
@@ -71,7 +65,7 @@ class EditProjector:
             )
         with torch.no_grad():
             A = space.dictionary(shapes[i].like(space).points)[0]
-        return cls(A, BoxHandles.of(shapes, i), shapes.points[i], basis)
+        return cls(A, BoxHandles.of(shapes, i), shapes.points[i], prior)
 
     def __call__(self, edits: Mapping[str, float], *, change: bool = False, bounds: Bounds | None = None) -> Snapped:
         """Pins handles by name or pattern ("leg_*.scale.y") at values, or at changes of them, and finds the rest.
@@ -133,8 +127,8 @@ class EditProjector:
         )
 
 
-def _check(A: Tensor, handles: Handles, x: Tensor | None, basis: Tensor | None) -> None:
-    n, k = len(handles.held), A.shape[-1]
+def _check(A: Tensor, handles: Handles, x: Tensor | None) -> None:
+    n = len(handles.held)
     if A.ndim != 3 or A.shape[:2] != (n, 3) or not A.isfinite().all():
         raise ValueError(
             f"EditProjector: A must be (n, 3, k), finite, with the n = {n} points of the handles, "
@@ -144,19 +138,20 @@ def _check(A: Tensor, handles: Handles, x: Tensor | None, basis: Tensor | None) 
         raise ValueError("EditProjector: x must be given where handles alone do not place all points, got none; pass x")
     if x is not None and (x.shape != (n, 3) or not x.isfinite().all()):
         raise ValueError(f"EditProjector: x must be the {n} points (n, 3) of the handles, finite, got {tuple(x.shape)}")
-    if basis is not None and (basis.ndim != 2 or len(basis) != k or not basis.isfinite().all()):
+
+
+def _check_prior(prior: Prior | None, k: int) -> None:
+    if prior is None:
+        return
+    basis, noise = prior
+    if basis.ndim != 2 or len(basis) != k or not basis.isfinite().all():
         raise ValueError(
-            f"EditProjector: basis must be (k, r), finite, with the k = {k} numbers of a vector as rows, "
+            f"EditProjector: the prior's basis must be (k, r), finite, with the k = {k} numbers of a vector as rows, "
             f"got {tuple(basis.shape)}; transpose it"
         )
-
-
-def _check_noise(noise: float, basis: Tensor | None) -> None:
-    if not 0 <= noise < float("inf") or (noise and basis is None):
-        told = "no basis" if basis is None else "a basis"
+    if not 0 <= noise < float("inf"):
         raise ValueError(
-            f"EditProjector: noise must be a length, 0 or more, and come with a basis whose w is about 1, got {noise} "
-            f"and {told}; take both from modes.principal and modes.disagreement"
+            f"EditProjector: the prior's noise must be a length, 0 or more, got {noise}; modes.disagreement measures it"
         )
 
 

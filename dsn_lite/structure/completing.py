@@ -9,7 +9,7 @@ from jaxtyping import Bool, Float
 from torch import Tensor
 
 from ..handles import BoxHandles
-from ..projection import EditProjector
+from ..projection import EditProjector, Prior
 from ..shapes import Shapes
 from ..types import Dictionary
 from .edits import Edit
@@ -28,7 +28,7 @@ class Completed:
 def complete(plausible: Plausible, shapes: Shapes, edits: Sequence[Edit], noise: float = 0.0) -> Completed:
     """Snaps each edit to what is plausible around its shape: a dictionary A (1, n, 3, k) of that one shape (Eqs. 4-7).
 
-    Edge lengths stay > 0. `noise` is how far A is off, as for EditProjector, where real shapes vary by 1 along it.
+    Edge lengths stay > 0. `noise` is how far A is off, as of Prior, where real shapes vary by 1 along it.
     Raises ValueError where the shapes tell no parts.
     """
     found = [None] * len(edits)
@@ -37,7 +37,7 @@ def complete(plausible: Plausible, shapes: Shapes, edits: Sequence[Edit], noise:
         one = shapes[i]
         handles = BoxHandles.of(one)
         A = plausible(one)[0]
-        projector = EditProjector(A, handles, one.points[0], torch.eye(A.shape[-1]) if noise else None, noise)
+        projector = EditProjector(A, handles, one.points[0], Prior(torch.eye(A.shape[-1]), noise) if noise else None)
         for t in own:
             snapped = projector({edits[t].handle: edits[t].value})
             change = snapped.z_hat - snapped.z0

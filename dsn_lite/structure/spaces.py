@@ -12,6 +12,7 @@ from torch import Tensor
 
 from ..handles import BoxHandles
 from ..modes.local import NEARLY_ALL, disagreement, principal
+from ..projection import Prior
 from ..shapes import Shapes
 from ..space import ActionSpace
 from ..types import OtherPoints, Points
@@ -24,12 +25,17 @@ Slopes = dict[str, Float[Tensor, "P 2 3 r"]]  # of each family: how boxes move, 
 class Used(NamedTuple):
     """Directions that vectors of real pairs use: basis (k, r), and the share (k,) of the squared motion of each.
 
-    noise is how far the dictionary is from itself along them (modes.disagreement), for EditProjector.
+    noise is how far the dictionary is from itself along them (modes.disagreement).
     """
 
     basis: Float[Tensor, "k r"]
     share: Float[Tensor, " k"]
     noise: float
+
+    @property
+    def prior(self) -> Prior:
+        """For EditProjector."""
+        return Prior(self.basis, self.noise)
 
 
 def used_directions(space: ActionSpace, x: Points, y: OtherPoints) -> Used:

@@ -15,6 +15,7 @@ from ..editing.followers import Others, each
 from ..handles import corners
 from ..modes.kinds import kind, kinds
 from ..plots.look import GREY, PALETTE
+from ..projection import Prior
 from ..shapes import Shapes
 from ..space import ActionSpace
 from .canvas import Canvas
@@ -35,14 +36,14 @@ class HandleEditor(ipywidgets.VBox):
         space: ActionSpace,
         source: Shapes,
         others: Others,
-        basis: Float[Tensor, "k r"] | None = None,
+        prior: Prior | None = None,
         *,
         titles: Sequence[str] | None = None,
     ):
         followers = list(each(others))
         if not followers:
             raise ValueError("HandleEditor: there must be at least one other shape, got none; take some")
-        self.history = History(space, source, followers, basis)
+        self.history = History(space, source, followers, prior)
         self.notice, self.told = Notice(), Notice()
         self._before, self._live = self.state, False  # where the latest drag began, and whether it still goes on
         self.picker = HandlePicker(self._handles, self.notice.guard(self._pick), self.notice.guard(self._slide))

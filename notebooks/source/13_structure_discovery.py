@@ -15,7 +15,7 @@ import data_gen
 import dsn_lite
 from dsn_lite import checks, lessons, plots, structure, widgets
 from dsn_lite.handles import BoxHandles, corners
-from dsn_lite.projection import EditProjector
+from dsn_lite.projection import EditProjector, Prior
 
 lessons.begin()
 
@@ -181,7 +181,7 @@ worst = torch.stack(list(middle.values())).amax(0).argsort(descending=True)[:3].
 # %%
 t, i = worst[0], edits[worst[0]].shape
 own = BoxHandles.of(shapes, i)
-again = EditProjector.of(space, shapes, i, used.basis)({edits[t].handle: edits[t].value})
+again = EditProjector.of(space, shapes, i, Prior(used.basis))({edits[t].handle: edits[t].value})
 clouds = [shapes.points[i], again.edited, again.points]
 plots.shapes(clouds, labels=shapes.labels[i], titles=titles, boxes=[corners(own), None, corners(own, again.z_hat)])
 
@@ -212,16 +212,10 @@ plots.paired_bars(
 # The edit of before, once more:
 
 # %%
-careful = EditProjector(
-    space.dictionary(shapes.points[i][None])[0].detach(), own, shapes.points[i], used.basis, used.noise
-)({edits[t].handle: edits[t].value})
+careful = EditProjector.of(space, shapes, i, used.prior)({edits[t].handle: edits[t].value})
 clouds = [shapes.points[i], again.points, careful.points]
-plots.shapes(
-    clouds,
-    labels=shapes.labels[i],
-    titles=["before", "trusting", "careful"],
-    boxes=[corners(own), corners(own, again.z_hat), corners(own, careful.z_hat)],
-)
+named = {"before": corners(own), "trusting": corners(own, again.z_hat), "careful": corners(own, careful.z_hat)}
+plots.shapes(clouds, labels=shapes.labels[i], titles=list(named), boxes=list(named.values()))
 
 # %% [markdown]
 # It costs a little where the dictionary was right, and helps most where it only seemed to know.
