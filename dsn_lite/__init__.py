@@ -11,7 +11,7 @@ from .driving import train
 from .editing import CoEditor, History, co_edit
 from .files import as_shapes, load_shapes, save_shapes
 from .handles import BoxHandles, DenseHandles
-from .projection import EditProjector
+from .projection import EditProjector, Prior
 from .runs import load_run, save_run
 from .space import ActionSpace, AutoencoderSpace, DeformSyncNet, DoNothing, LinearSpace
 from .training import Training
@@ -29,6 +29,7 @@ __all__ = [
     "EditProjector",
     "History",
     "LinearSpace",
+    "Prior",
     "Shapes",
     "Training",
     "as_shapes",

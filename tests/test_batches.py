@@ -24,14 +24,14 @@ def drawn(shapes=chairs, world=None, **told):
 
 
 def test_a_step_is_the_same_again_and_another_is_another():
-    one, again = drawn()[3], drawn()[3]
+    one, again = drawn().draw(3), drawn().draw(3)
     assert torch.equal(one.x, again.x)
     assert torch.equal(one.y, again.y)
-    assert not torch.equal(one.x, drawn()[4].x)
+    assert not torch.equal(one.x, drawn().draw(4).x)
 
 
 def test_targets_are_other_shapes_of_the_batch_and_trees_are_theirs():
-    batch = drawn(points=40)[0]
+    batch = drawn(points=40).draw(0)
     assert len(batch.x) == len(batch.source) == len(batch.target) == 4
     assert sorted(batch.target.tolist()) == sorted(batch.source.tolist())
     assert not (batch.source == batch.target).any()
@@ -42,9 +42,9 @@ def test_targets_are_other_shapes_of_the_batch_and_trees_are_theirs():
 
 @pytest.mark.parametrize("size", [2, 3])
 def test_processes_share_the_pairs_of_one(size):
-    alone = drawn(batch=6, sparsity=1.0)[5]
+    alone = drawn(batch=6, sparsity=1.0).draw(5)
     pairs = {(alone.x[i].sum().item(), alone.y[n].sum().item()) for n, i in enumerate(alone.source)}
-    shared = [drawn(batch=6, sparsity=1.0, world=World(rank, size))[5] for rank in range(size)]
+    shared = [drawn(batch=6, sparsity=1.0, world=World(rank, size)).draw(5) for rank in range(size)]
     found = {(b.x[i].sum().item(), b.y[n].sum().item()) for b in shared for n, i in enumerate(b.source)}
     assert found == pairs
     assert sum(len(b.source) for b in shared) == 6
@@ -55,7 +55,7 @@ def test_kept_trees_give_the_same_distance_and_there_is_an_end_to_them(monkeypat
     monkeypatch.setattr(batches, "ROOM", 40 * 6)
     kept = drawn()
     for step in range(12):
-        batch = kept[step]
+        batch = kept.draw(step)
         x = batch.x[batch.source]
         torch.testing.assert_close(chamfer(x, batch.y, batch.trees), chamfer(x, batch.y))
     assert 6 <= len(kept.trees) <= 6 + TINY.batch
@@ -101,4 +101,4 @@ def test_a_shape_that_is_not_finite_is_named_when_it_is_drawn():
     points[7, 3] = float("nan")
     broken = drawn(replace(chairs, points=points), batch=24)
     with pytest.raises(ValueError, match="train: points must be finite, shape 7 holds NaN or infinity; clean or drop"):
-        broken[0]
+        broken.draw(0)
