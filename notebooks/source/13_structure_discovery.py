@@ -337,6 +337,7 @@ checks.number(
 # ## Take-away
 #
 # - Structure is what edits are completed to. It is in the span of the dictionary, and in how few directions that span has.
+# - A dictionary that is nearly right is followed where it should not be; by how much it disagrees with itself along a deformation it tells how far to trust it, without any truth.
 # - A ratio needs the exact answer and doing nothing beside it. Here doing nothing has a median of 0.
 # - Where parts have names and families are apart, PCA of handles is exact and free. The network needs neither.
 #
