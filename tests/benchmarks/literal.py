@@ -79,7 +79,7 @@ class Theirs(nn.Module):
         return 100 * (all_pairs(deformed, self.y) + all_pairs(deformed, deformed * deformed.new_tensor([-1, 1, 1])))
 
     def take(self, encode: nn.Module, dictionary: nn.Module) -> None:
-        """Takes the weights of dsn_lite's E and F. Before a maximum and at their end those have no LeakyReLU: slope 1."""
+        """Takes the weights of dsn_lite's E and F: before a maximum and at their end no LeakyReLU, slope 1."""
         E, F, twin = _linear(encode), _linear(dictionary.local, dictionary.features), self.dictionary
         whole, point = dictionary.from_global.weight, dictionary.from_local
         joined = torch.cat([whole, point.weight], dim=1), point.bias
